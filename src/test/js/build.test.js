@@ -3,10 +3,12 @@ import assert from 'node:assert/strict'
 import {test} from 'node:test'
 import {Edits} from '../../../resources/resource/WebGui/app/service/js/sear/build/edits.js'
 import {sizesOf} from '../../../resources/resource/WebGui/app/service/js/sear/build/handles.js'
+import {Joining, anglesOf, tautened} from '../../../resources/resource/WebGui/app/service/js/sear/build/joints.js'
 import {mounted, tilted, withGround} from '../../../resources/resource/WebGui/app/service/js/sear/build/mounting.js'
 import * as places from '../../../resources/resource/WebGui/app/service/js/sear/build/places.js'
 import {besideBody, drivenWheels, wheelToTurn} from
     '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
+import {frame, rotate} from '../../../resources/resource/WebGui/app/service/js/sear/shared/geometry.js'
 import {Listeners} from '../../../resources/resource/WebGui/app/service/js/sear/shared/listeners.js'
 import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
 
@@ -130,4 +132,32 @@ test('a selection that another page deletes ends with a message', () => {
     edits.handlers.onProjectObject({object: 'box1', gone: true})
     assert.equal(edits.selected, null)
     assert.match(messages.last.text, /box1 was deleted or renamed by another page .* delete box1/)
+})
+
+test('clicks choose the objects of a joint, and the ground is the world', () => {
+    const world = {objects: [{name: 'door', pose: [1, 1, 0, 0, 0, 0], loose: true},
+        {name: 'wall', pose: [0, 1, 0, 0, 0, 0]}], robots: []}
+    const on = (name, ...point) => ({who: name && {object: {name}}, ground: !name, robot: null, point})
+    const joining = new Joining()
+    assert.equal(joining.click(on('door', 1, 1, 0.5)), false)
+    assert.equal(joining.click(on('', 3, 0, 0)), true)
+    assert.equal(joining.problem(world), '')
+    assert.deepEqual(joining.values(world, 'Hinge', value => value), {second: 'door', x: '1', y: '1', z: '0.5'})
+    assert.deepEqual(joining.values(world, 'Rope', value => value), {second: 'door', x: '3', y: '0', z: '0',
+        endX: '1', endY: '1', endZ: '0.5', upper: '2.2913'})
+    joining.second = 'wall'
+    assert.match(joining.problem(world), /the world and wall are both fixed. Give one of them a mass/)
+    assert.match(Object.assign(joining, {first: 'wall'}).problem(world), /needs two objects, and both are wall/)
+})
+
+test('an axis points where its handle is dragged, and a taut rope stays taut', () => {
+    assert.deepEqual(anglesOf([0, 2, 0], 15), {rx: 0, rz: -0})
+    assert.deepEqual(anglesOf([0, 0.1, 3], 15), {rx: 90, rz: 0})
+    assert.deepEqual(anglesOf([1, 0.02, 0], 15), {rx: 0, rz: -90})
+    const angles = anglesOf([0.2, 0.5, -0.4], 0)
+    const tip = rotate(frame([0, 0, 0, angles.rx, 0, angles.rz]), [0, Math.hypot(0.2, 0.5, 0.4), 0])
+    assert.deepEqual(tip.map(value => Number(value.toFixed(9))), [0.2, 0.5, -0.4])
+    const rope = {x: '0', y: '2', z: '0', endX: '0', endY: '1', endZ: '0', upper: '1'}
+    assert.deepEqual(tautened(rope, {endY: '0.5'}), {endY: '0.5', upper: '1.5'})
+    assert.deepEqual(tautened(Object.assign({}, rope, {upper: '3'}), {endY: '0.5'}), {endY: '0.5'})
 })

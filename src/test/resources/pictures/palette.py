@@ -177,3 +177,30 @@ def draw_Chessboard():
     Chessboard('board', 6, 5, 0.2).rotate(0, 180, 0)
 def draw_Picture():
     Picture('picture', 1.6, 0.8).rotate(0, 180, 0)
+def draw_Hinge():
+    rod(SILVER, 0.09, 1.3)
+    for color, side, heights in ((BRASS, 1, (0.4, -0.4)), (GREY, -1, (0,))):
+        box(color, 0.75, 0.06, 1.2, 0.47 * side, 0, 0)
+        for height in heights:
+            rod(color, 0.15, 0.38, 0, height, 0)
+def draw_Slider():
+    for z in (-0.3, 0.3):
+        rod(SILVER, 0.07, 2, 0, 0, z, 0, 0, 90)
+    for x in (-0.95, 0.95):
+        box(DARK, 0.15, 0.9, 0.4, x, -0.05, 0)
+    box(BLUE, 0.6, 0.9, 0.3, 0.2, 0.05, 0)
+def draw_BallJoint():
+    ball(SILVER, 0.35)
+    rod(SILVER, 0.12, 0.9, 0.4, 0.4, 0, 0, 0, -45)
+    rod(GREY, 0.42, 0.35, 0, -0.2, 0)
+    rod(GREY, 0.16, 0.7, 0, -0.6, 0)
+def draw_FixedJoint():
+    box(GREY, 1, 0.5, 0.3, -0.4, 0, 0)
+    box(GREY, 0.3, 0.5, 1, 0.25, 0.35, 0)
+    for i in range(6):
+        ball(YELLOW, 0.09, 0.07, 0.17, -0.25 + 0.1 * i)
+def draw_Rope():
+    box(DARK, 1, 0.4, 0.12, 0, 1, 0)
+    for i in range(7):
+        rod(BRASS, 0.07, 0.16, 0.02 * (-1) ** i, 0.86 - 0.13 * i, 0, 0, 0, 20 * (-1) ** i)
+    rod(BLUE, 0.3, 0.5, 0, -0.25, 0)

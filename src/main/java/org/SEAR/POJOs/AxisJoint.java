@@ -19,15 +19,15 @@ public abstract class AxisJoint extends Joint {
     private Double upper;
     @Param(doc = "speed after a hit against a limit, as a share of the speed before", max = 1)
     private double restitution;
-    @Param(doc = "dry friction, independent of the speed", unit = "N or N m", max = MOST_FORCE)
+    @Param(doc = "dry friction, independent of the speed", unit = "N m or N", max = MOST_FORCE)
     private double friction;
-    @Param(doc = "force of the damper per speed", unit = "N s/m or N m s/rad", max = MOST_FORCE)
+    @Param(doc = "force of the damper per speed", unit = "N m s/rad or N s/m", max = MOST_FORCE)
     private double damping;
-    @Param(doc = "rate of the spring; 0 for none", unit = "N/m or N m/rad", max = MOST_FORCE)
+    @Param(doc = "rate of the spring; 0 for none", unit = "N m/rad or N/m", max = MOST_FORCE)
     private double stiffness;
     @Param(doc = "position at which the spring has no force", unit = "deg or m", min = -MOST, max = MOST)
     private double rest;
-    @Param(doc = "force of the motor at standstill and full power; 0 for no motor", unit = "N or N m", max = MOST_FORCE)
+    @Param(doc = "force of the motor at standstill and full power; 0 for no motor", unit = "N m or N", max = MOST_FORCE)
     private double stallForce;
     @Param(doc = "speed of the motor at full power without load", unit = "deg/s or m/s", min = 1e-6, max = MOST_FORCE)
     private Double noLoadSpeed;

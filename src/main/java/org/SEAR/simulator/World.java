@@ -108,6 +108,7 @@ final class World implements PhysicsWorld.Touches {
         }
         places.end();
         joints = new WorldJoints(project, physics, reported);
+        JointAdvice.of(project).forEach((name, why) -> warnings.add("joint " + name + " does not move: " + why));
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);

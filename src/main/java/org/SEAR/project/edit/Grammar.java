@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -24,8 +25,8 @@ import org.SEAR.project.xml.ObjectClasses;
  * thread.
  *
  * <pre>
- * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot":
- * true (where it is legal),
+ * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot", "joint" or "part"), "environment": true,
+ *   "robot": true (where it is legal),
  *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text",
  * "group"),
  *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words":
@@ -69,13 +70,19 @@ public final class Grammar {
 
     /** Returns whether an object of a class may be part of the environment. */
     static boolean standsInEnvironment(Class<? extends SearObject> type) {
-        return Shape.class.isAssignableFrom(type) && type != Wheel.class;
+        return Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type);
     }
 
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
         return type != Floor.class && type != Terrain.class && type != SEARrobot.class
             && !Joint.class.isAssignableFrom(type);
+    }
+
+    /** Returns the unit of a parameter; joints with one class for several kinds have that of a hinge first. */
+    static String unit(Class<?> type, Parameter parameter) {
+        String[] units = parameter.getUnit().split(" or ");
+        return units.length == 1 || Hinge.class.isAssignableFrom(type) ? units[0] : units[1];
     }
 
     private static List<Map<String, Object>> parameters(Class<?> type) {
@@ -85,7 +92,7 @@ public final class Grammar {
             Map<String, Object> map = new LinkedHashMap<>();
             map.put("name", parameter.getName());
             map.put("doc", parameter.getDoc());
-            map.put("unit", parameter.getUnit());
+            map.put("unit", unit(type, parameter));
             map.put("kind", parameter.getKind().name().toLowerCase(Locale.ROOT));
             map.put("legal", parameter.legal());
             map.put("min", parameter.getMin());

@@ -43,6 +43,10 @@ final class PalettePictures {
         "s.orbit.distance *= only === 'none' ? 4 : 1.5; s.orbit.azimuth = Math.PI * 0.8; s.orbit.elevation = only === "
         + "'none' ? 0.7 : 0.5",
         "s.sun.castShadow = false",
+        "s.scene.traverse(one => {",
+        "    one.receiveShadow = false",
+        "    if (one.material) { one.material.needsUpdate = true }",
+        "})",
         "s.aim(-1); s.shade()",
         "s.camera.aspect = 1; s.camera.fov = 25; s.orbit.distance *= 2; s.aim(-1)",
         "s.camera.aspect = 1; s.camera.updateProjectionMatrix()",

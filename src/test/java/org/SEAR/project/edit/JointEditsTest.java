@@ -6,12 +6,17 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.util.Map;
+import java.util.TreeMap;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.FixedJoint;
 import org.SEAR.POJOs.Hinge;
+import org.SEAR.POJOs.Slider;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.script.ProjectScript;
+import org.SEAR.simulator.JointAdvice;
 import org.junit.Test;
 
 /** Joints follow the names of their objects, and wrong ones are reported. */
@@ -31,6 +36,44 @@ public class JointEditsTest extends EditedProject {
         assertEquals("gate", read.getJoints().get(0).getSecond());
         assertEquals("frame", read.getJoints().get(0).getFirst());
         assertEquals("gate", read.getJoints().get(1).getSecond());
+    }
+
+    @Test
+    public void pagesAddChangeAndDeleteJointsAndUndoThem() throws Exception {
+        door();
+        Map<String, String> before = objects();
+        edit("do", "add", "type", "Slider", "set", Map.of("second", "door", "x", "0.5", "rz", "90"));
+        edit("do", "set", "object", "slider1", "set", Map.of("first", "frame", "lower", "0", "upper", "0.4"));
+        Slider slider = (Slider) Project.read(project.folder()).getJoints().get(2);
+        assertEquals("frame door 0.4", slider.getFirst() + " " + slider.getSecond() + " " + slider.getUpper());
+        assertEquals(90, slider.getRz(), 0);
+        edit("do", "set", "object", "slider1", "set", Map.of("first", ""));
+        assertNull("the world again", Project.read(project.folder()).getJoints().get(2).getFirst());
+        edit("do", "delete", "object", "slider1");
+        assertEquals(2, Project.read(project.folder()).getJoints().size());
+        for (int i = 0; i < 4; i++) {
+            editor.undo();
+        }
+        assertEquals(before, objects());
+    }
+
+    @Test
+    public void jointsThatCanNotMoveAreExplained() throws Exception {
+        door();
+        Box wall = new Box("wall", 1, 1, 1, 3);
+        new Hinge("second", null, wall, 1, 0, 0);
+        new Slider("rail", null, wall, 1, 0, 0).setLimits(2, 2);
+        Hinge stiff = new Hinge("stiff", wall, new Box("lid", 1, 1, 1, 1), 0, 2, 0);
+        stiff.setMotor(1, 90);
+        stiff.setFriction(1.5);
+        new FixedJoint("glue", null, new Box("shelf", 1, 1, 1, 1));
+        new BallJoint("ring2", null, (Box) Project.read(project.folder()).getEnvironment().stream()
+            .filter(one -> one.getName().equals("shelf")).findFirst().orElseThrow());
+        Map<String, String> reasons = JointAdvice.of(Project.read(project.folder()));
+        String other = " joins the same objects along or about another axis";
+        assertEquals("{hinge=ring" + other + ", rail=its lower and its upper limit are both 2, "
+            + "ring2=a fixed joint holds the world and shelf together, second=rail" + other + ", stiff=its friction, 1.5, "
+            + "is not below the force of its motor at standstill, 1}", new TreeMap<>(reasons).toString());
     }
 
     @Test

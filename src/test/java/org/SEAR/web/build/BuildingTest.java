@@ -301,7 +301,7 @@ public class BuildingTest {
     public void thePaletteIsSearchedAndOneTabStopWithArrowKeys() {
         build(".sear-map");
         List<String> groups = browser.texts(".sear-palette .sear-title");
-        assertEquals(List.of("THINGS", "ROBOTS", "DRIVES", "SENSORS", "BOARDS"), groups);
+        assertEquals(List.of("THINGS", "ROBOTS", "DRIVES", "JOINTS", "SENSORS", "BOARDS"), groups);
         assertEquals(1, browser.all(".sear-make[tabindex='0']").size());
         WebElement first = browser.see(".sear-make[tabindex='0']");
         assertEquals("Box", first.getAttribute("data-make"));

@@ -3,6 +3,7 @@
 import * as balance from './balance.js'
 import * as geometry from '../shared/geometry.js'
 import * as handles from './handles.js'
+import * as joints from './joints.js'
 import {mounted} from './mounting.js'
 import * as places from './places.js'
 import * as pointing from '../world/pointing.js'
@@ -61,15 +62,19 @@ export class Building {
     decorate(scene, seen) {
         const selected = this.found()
         handles.showAids(scene, seen, this.view.building)
+        joints.showMarks(scene, seen, this.view.building)
         balance.show(scene, selected)
         handles.show(scene, selected, selected && this.extent(selected), selected && this.spots(selected))
     }
 
     decorateMap(shown) {
         const selected = this.found()
+        const pen = shown.getContext('2d')
+        const toScreen = (x, z) => this.view.toScreen(x, z)
+        if (this.view.building) {
+            joints.drawMarks(pen, this.world.shown(), toScreen)
+        }
         if (selected) {
-            const pen = shown.getContext('2d')
-            const toScreen = (x, z) => this.view.toScreen(x, z)
             handles.draw(pen, selected, this.extent(selected), this.spots(selected), toScreen)
             balance.draw(pen, selected, toScreen)
         }
@@ -158,16 +163,28 @@ export class Building {
 
     /** Sends the change. If the service rejects it, the object returns to its pose. @param done see begun */
     send(done, set) {
-        const edit = this.edits.setting(done.object, places.edit(done.place, set), done.values)
+        const isRope = this.edits.object && this.edits.object.type === 'Rope'
+        const all = isRope ? joints.tautened(done.values, set) : set
+        const edit = this.edits.setting(done.object, places.edit(done.place, all), done.values)
         edit.stand = done.place.stands && set.y === undefined
         this.asked++
         this.edits.edit(edit, answer => {
             this.asked--
             if (!answer.done) {
                 this.messages.say('error', this.edits.refusal(answer))
+                if (done.end && this.found()) {
+                    this.found().object.end = done.end
+                }
             }
             this.release(answer.done)
         })
+    }
+
+    /** Returns the joint at a pixel, see joints.pick. */
+    jointAt(x, y) {
+        const scene = this.pointer.scene()
+        return this.view.building ? joints.pick(this.world.shown(), at => scene ? scene.toScreen(at[0], at[1], at[2])
+            : this.view.toScreen(at[0], at[2]), x, y) : null
     }
 
     startDrag(event, x, y) {
@@ -178,7 +195,7 @@ export class Building {
         }
         const kind = scene ? handles.pick(scene, x, y)
             : handles.pickOnMap(selected, this.spots(selected), (north, east) => this.view.toScreen(north, east), x, y)
-        const under = kind ? null : this.pointer.at(x, y)
+        const under = kind ? null : this.jointAt(x, y) || this.pointer.at(x, y)
         if (!kind && !this.isAt(selected, under, x, y)) {
             return null
         }
@@ -208,6 +225,8 @@ export class Building {
             this.turn(x, y, free)
         } else if (this.drag.kind === 'move') {
             this.move(x, y, free)
+        } else if (this.drag.kind === 'axis' || this.drag.kind === 'end') {
+            this.aim(x, y, free)
         } else {
             this.size(x, y, free)
         }
@@ -276,6 +295,27 @@ export class Building {
         this.showMoved(this.drag.start, [0, 0, 0], ry - this.drag.place.ry)
     }
 
+    /** Points a joint's axis or ties a rope's end at the mouse, in the plane of its handle that faces the view. */
+    aim(x, y, free) {
+        const scene = this.pointer.scene()
+        const canvas = this.pointer.canvas()
+        const ahead = scene ? pointing.ray(scene, canvas.clientWidth / 2, canvas.clientHeight / 2).along : [0, 1, 0]
+        const point = pointing.onPlane(this.ray(x, y), this.drag.from, ahead)
+        if (!point) {
+            return
+        }
+        if (this.drag.kind === 'axis') {
+            this.drag.set = joints.pointed(this.drag.pose, point, free)
+            const angles = ['rx', 'ry', 'rz'].map(angle => Number(this.drag.set[angle]))
+            this.held = {object: this.edits.selected, pose: this.drag.start.slice(0, 3).concat(angles)}
+        } else {
+            const end = point.map(value => this.palette.snapped(value, free))
+            this.drag.end = this.drag.end || this.found().object.end
+            this.found().object.end = end.concat(this.drag.end.slice(3))
+            this.drag.set = {endX: places.plain(end[0]), endY: places.plain(end[1]), endZ: places.plain(end[2])}
+        }
+    }
+
     /** Resizes the object; the side opposite to the handle stays in place. */
     size(x, y, free) {
         const i = AXES.indexOf(this.drag.kind)
@@ -324,7 +364,7 @@ export class Building {
     // ---- clicks
     // -----------------------------------------------------------------------------------------------------------------
     click(event, x, y) {
-        const under = this.pointer.at(x, y)
+        const under = !this.palette.armed && this.jointAt(x, y) || this.pointer.at(x, y)
         if (this.palette.armed) {
             if (under) {
                 this.palette.place(under, event.altKey)

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks of the selected object in the SEAR panel's views: a frame around it, and handles that turn and resize it.
 import * as geometry from '../shared/geometry.js'
+import {hasAxis} from './joints.js'
 import * as pointing from '../world/pointing.js'
 
 const FRAME = 0xff7f0e
 const EYE = 0x8e5bd0
 const FAR = 1                 // length of the pyramid that shows a sensor's field of view, metres
-const HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
+const HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e],
+    ['axis', 0x8e5bd0], ['end', 0x8e5bd0]]
 const SIZE = 0.012            // size of a handle, as a fraction of the camera's distance
 const GAP = 0.06              // distance of the turn handle from the frame, likewise
 const CUBE = 1.6              // side of a resize handle, in sizes
@@ -45,6 +47,9 @@ export function sizesOf(type) {
  * metres, along: its direction
  */
 export function spots(found, extent, sizes, eye) {
+    if (pointing.isJoint(found.object)) {
+        return spotsOfJoint(found, eye)
+    }
     const middle = [0, 1, 2].map(i => (extent[0][i] + extent[1][i]) / 2)
     const all = {}
     HANDLES.forEach((one, i) => {
@@ -53,12 +58,17 @@ export function spots(found, extent, sizes, eye) {
         if (name === 'turn') {
             at[2] = extent[1][2] + GAP * eye.away
             all[name] = at
-        } else if (sizes[name] && Math.abs(pointing.back(found.pose, eye.along)[i]) < ALONG) {
+        } else if (i < at.length && sizes[name] && Math.abs(pointing.back(found.pose, eye.along)[i]) < ALONG) {
             at[i] = extent[1][i]
             all[name] = at
         }
     })
     return all
+}
+/** Returns the tip of a joint's axis, or the other end of a rope. */
+function spotsOfJoint(found, eye) {
+    return found.object.type === 'Rope' ? {end: pointing.local(found.pose, found.object.end)}
+        : hasAxis(found.object.type) ? {axis: [0, 2 * GAP * eye.away, 0]} : {}
 }
 /** Converts a position in the selection's frame to the world. */
 export function placed(found, spot) {
@@ -181,8 +191,9 @@ function make(scene) {
     group.add(group.eye)
     group.knobs = {}
     HANDLES.forEach(one => {
-        const shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(
-            CUBE, CUBE, CUBE)
+        const shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20)
+            : one[0] === 'axis' ? new THREE.CylinderGeometry(0, DISC, 2 * DISC, 16)
+                : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
         const knob = new THREE.Mesh(shape,
             new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
         knob.renderOrder = 10

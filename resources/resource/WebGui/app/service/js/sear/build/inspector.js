@@ -3,6 +3,7 @@
 // the grammar.
 import {robotOf} from './balance.js'
 import {sizesOf} from './handles.js'
+import * as joints from './joints.js'
 import * as places from './places.js'
 import {drivenWheels} from './wheels.js'
 import {find} from '../world/pointing.js'
@@ -57,7 +58,7 @@ export class Inspector {
                 this.rows = type.parameters.filter(parameter => parameter.name !== 'name'
                     && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0))
                     .map(parameter => this.rowOf(parameter))
-                this.groups = this.grouped(this.rows)
+                this.groups = this.grouped(this.rows, type.kind === 'joint' ? joints.GROUPS : GROUPS)
             }
             this.rows.forEach(row => {
                 this.fill(row, object.values[row.p.name])
@@ -69,13 +70,13 @@ export class Inspector {
         })
     }
 
-    grouped(rows) {
+    grouped(rows, groups) {
         function nameOf(row) {
-            const found = GROUPS.filter(group => group[1] && group[1].test(row.p.name))[0]
+            const found = groups.filter(group => group[1] && group[1].test(row.p.name))[0]
             return found ? found[0] : OWN
         }
         const isScale = row => /^scale/.test(row.p.name) ? 1 : 0      // rarely used
-        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0])
+        return groups.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0])
             .sort((a, b) => isScale(a) - isScale(b))}))
             .filter(group => group.rows.length)
     }
@@ -86,7 +87,10 @@ export class Inspector {
     }
 
     rowOf(parameter) {
-        const row = {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: ''}
+        const ofJoint = this.edits.typeOf(this.edits.object.type).kind === 'joint'
+        const row = {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: '',
+            word: ofJoint && joints.WORDS[parameter.name] || parameter.name,
+            isPartner: ofJoint && (parameter.name === 'first' || parameter.name === 'second')}
         /** Returns the colour in the form of the browser's colour input; with an argument, sets another one. */
         row.color = (...chosen) => {
             if (chosen.length) {
@@ -278,6 +282,29 @@ export class Inspector {
         const wheels = field.p.names === 'Wheel' && this.edits.object
             ? drivenWheels(this.world.shown(), this.edits.object.robot) : []
         return !wheels.length || !field.text || wheels.indexOf(field.text) >= 0 ? wheels : wheels.concat(field.text)
+    }
+
+    /** Returns the objects that a joint may name there, including its present one. */
+    partners(row) {
+        const names = joints.partners(this.world.shown())
+        return !row.text || names.indexOf(row.text) >= 0 ? names : names.concat(row.text)
+    }
+
+    /** Returns the directions of a joint's axis, by words; empty for an object without one. */
+    directions() {
+        return this.edits.object && joints.hasAxis(this.edits.object.type) ? joints.DIRECTIONS : []
+    }
+
+    /** Points the axis of the selected joint. @param angles rx, ry, rz in degrees */
+    point(angles) {
+        const set = {rx: String(angles[0]), ry: String(angles[1]), rz: String(angles[2])}
+        this.edits.edit(this.edits.setting(this.edits.selected, set, this.edits.values()))
+    }
+
+    /** Returns why the selected joint does not move; empty if it can. */
+    still() {
+        const found = find(this.world.shown(), this.edits.selected)
+        return found && found.object.still || ''
     }
 
     /** Returns a value with its meaning. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette's entry of each kind of object: a word, a picture drawn by the view, and a group.
 
-export const GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']
-const BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives'}
+export const GROUPS = ['Things', 'Robots', 'Drives', 'Joints', 'Sensors', 'Boards']
+const BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives', joint: 'Joints'}
 const BOARDS = ['Arduino', 'Led']
 // The pictures are tiles of one file, in this order, COLUMNS per row; ./gradlew tabScreenshots -Ppictures=palette takes
 // them.
@@ -19,7 +19,8 @@ const WORDS = {
     IMU: 'Motion unit (IMU)',
     LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
     chassis: 'Chassis',
-    Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
+    Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture',
+    Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring'
 }
 // Other search words.
 const ALSO = {
@@ -37,12 +38,14 @@ const ALSO = {
     Arduino: 'board microcontroller', Led: 'lamp',
     chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect',
     Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern',
-    Picture: 'image poster sign photo'
+    Picture: 'image poster sign photo',
+    Hinge: 'joint revolute door axle', Slider: 'joint prismatic lift rail', BallJoint: 'joint hitch trailer spherical',
+    FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic'
 }
 const ALSO_ROBOTS = 'robot'
 export const PICTURED = Object.keys(WORDS)
 // Pictures for kinds without their own, for example sensors of a plug-in.
-const OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
+const OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino', Joints: 'Hinge'}
 
 /** Returns the CSS style that shows the picture of a kind. */
 function styleOf(name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette of the SEAR panel: all kinds of objects, placed by a click in the view.
 import {mounted, tilted, withGround} from './mounting.js'
+import {Joining, WORLD, partners} from './joints.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
 import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
@@ -74,8 +75,9 @@ export class Palette {
             this.armed = null
             return
         }
-        const asked = type ? type.parameters.filter(parameter => this.isAsked(parameter)) : []
-        this.armed = {name, type, template, fields: asked.map(parameter => ({p: parameter, text: ''}))}
+        const asked = type && type.kind !== 'joint' ? type.parameters.filter(parameter => this.isAsked(parameter)) : []
+        this.armed = {name, type, template, fields: asked.map(parameter => ({p: parameter, text: ''})),
+            joining: type && type.kind === 'joint' ? new Joining() : null}
         this.edits.select(null)
     }
 
@@ -130,7 +132,33 @@ export class Palette {
 
     armedText() {
         const armed = this.armed
-        return !armed ? '' : this.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
+        return !armed ? '' : armed.joining ? armed.joining.text()
+            : this.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
+    }
+
+    /** Returns the names that a joint's object may have; only the first one may be the world. */
+    partners(isFirst) {
+        return (isFirst ? [WORLD] : []).concat(partners(this.world.shown()))
+    }
+
+    /** Makes the joint whose two objects are chosen. @param free whether it does not snap */
+    join(free) {
+        const {type, joining} = this.armed
+        const problem = joining.problem(this.world.shown())
+        if (problem) {
+            this.messages.say('error', problem)
+            this.armed.joining = new Joining()
+            return
+        }
+        const set = joining.values(this.world.shown(), type.type, value => this.snapped(value, free))
+        this.edits.edit({'do': 'add', type: type.type, set}, answer => {
+            this.edits.selectAfter(answer)
+            if (answer.done) {
+                this.leave()
+            } else {
+                this.armed.joining = new Joining()
+            }
+        })
     }
 
     /** Returns a parameter's initial number in a new object. */
@@ -156,6 +184,12 @@ export class Palette {
      */
     place(at, free, anywhere) {
         const armed = this.armed
+        if (armed.joining) {
+            if (armed.joining.click(at)) {
+                this.join(free)
+            }
+            return
+        }
         const edit = {'do': armed.template ? 'robot' : 'add', set: {}}
         armed.fields.forEach(field => {
             edit.set[field.p.name] = field.text

@@ -2,6 +2,7 @@
 // Where an object is, in the numbers of its file: those written there, or, once a running simulation has moved it,
 // those that would start it at its present place.
 import * as geometry from '../shared/geometry.js'
+import {isJoint} from '../world/pointing.js'
 
 const AXES = ['x', 'y', 'z']
 const ANGLES = ['rx', 'ry', 'rz']
@@ -47,8 +48,8 @@ export function of(selected, values, live) {
     const onEarth = values.placeLatitude !== undefined
     const place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0,
         strayed: {}, headed,
-        onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live),
-            stands: false}
+        onEarth, onGround: onEarth || values.onGround === 'true', stands: false,
+        moves: Boolean(live && selected && !selected.robot && !isJoint(selected.object))}
     if (place.moves) {
         (selected.object.parts ? robot : thing)(place, selected.object, values)
     } else if (selected && onEarth) {

@@ -37,6 +37,12 @@ export class Replay {
         return this.shown && this.shown.read || seen && seen.sensors || []
     }
 
+    /** Returns the joints with their readings, now or in the record. */
+    joints() {
+        const seen = this.world.shown()
+        return this.shown && this.shown.readJoints || seen && seen.joints || []
+    }
+
     byName(list) {
         const found = Object.create(null)
         list.forEach(one => {
@@ -52,7 +58,8 @@ export class Replay {
             return
         }
         sent.known = angular.copy(seen.sensors)
-        sent.world = Object.assign({}, seen, {sensors: [], robots: angular.copy(seen.robots).map(robot => {
+        sent.knownJoints = angular.copy((seen.joints || []).filter(joint => joint.numbers))
+        sent.world = Object.assign({}, seen, {sensors: [], joints: [], robots: angular.copy(seen.robots).map(robot => {
             robot.devices = []      // the record has only their bytes
             return robot
         }), objects: seen.objects.map(object => Object.assign({}, object))})
@@ -73,6 +80,7 @@ export class Replay {
         const objects = this.byName(record.world.objects)
         frames.robotsAt(robots, record, record.index)
         record.read = frames.sensorsAt(record.known, record, record.index)
+        record.readJoints = frames.sensorsAt(record.knownJoints, record, record.index)
         record.objects.forEach((name, i) => {
             if (objects[name]) {
                 objects[name].pose = record.objectPoses[record.index][i]

@@ -8,6 +8,11 @@ const ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'
 const QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration',
     'bytes': 'serial port'}
 
+/** Returns everything in a world that has a reading: sensors and joints. */
+function read(world) {
+    return world.sensors.concat((world.joints || []).filter(joint => joint.numbers))
+}
+
 /** Returns all values of a world by name. */
 export function valuesOf(world) {
     // a sensor may be named like a member of every object, for example constructor
@@ -21,7 +26,7 @@ export function valuesOf(world) {
         values[robot.name + '.speed'] = robot.speed
         values[robot.name + '.turnRate'] = robot.turnRate
     })
-    world.sensors.forEach(sensor => {
+    read(world).forEach(sensor => {
         sensor.names.forEach((name, i) => {
             values[sensor.name + name] = sensor.numbers[i]
         })
@@ -37,7 +42,7 @@ function unitOfNumber(sensor, i) {
 /** Returns the unit of a value, possibly of a record; empty if it has none. @param world null for none */
 export function unitOf(name, world) {
     let unit
-    ;(world ? world.sensors : []).forEach(sensor => {
+    ;(world ? read(world) : []).forEach(sensor => {
         const i = sensor.names.findIndex(ending => sensor.name + ending === name)
         unit = i >= 0 ? unitOfNumber(sensor, i) : unit
     })

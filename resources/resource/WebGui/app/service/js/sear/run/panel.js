@@ -11,6 +11,7 @@ import {Hand} from './hand.js'
 import {Inspector} from '../build/inspector.js'
 import {Layout} from '../shared/layout.js'
 import {Messages} from '../shared/messages.js'
+import {Motors} from './motors.js'
 import {Palette} from '../build/palette.js'
 import {Panel} from '../shared/panel.js'
 import {Picture} from '../shared/picture.js'
@@ -71,13 +72,14 @@ class SearPanel {
         const video = new Video(panel, messages, view, picture)
         const share = new Share(panel, messages, replay, ground)
         const driving = new Driving(panel, world, view, edits, run, picture)
+        const motors = new Motors(panel, world)
         const hand = new Hand(panel, world, view, pointer)
         const badge = new Badge(panel, replay)
 
         this.panel = panel
         this.picture = picture
         this.parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout,
-            records, replay, plot,
+            records, replay, plot, motors,
             cameras, project, script, run, video, share, tour, welcome}
         this.listening = [hand, pointed, building, project, badge, driving]
         this.keyed = [driving, building, view, run]

@@ -12,6 +12,11 @@ export function local(pose, point) {
     return back(pose, [point[0] - pose[0], point[1] - pose[1], point[2] - pose[2]])
 }
 
+/** Whether an object of a world is a joint. */
+export function isJoint(object) {
+    return object.second !== undefined
+}
+
 /** Returns the name of a part or sensor without its robot's name. */
 function short(name) {
     return name.slice(name.indexOf('/') + 1)
@@ -49,7 +54,7 @@ export function find(world, address) {
     }
     const slash = address.indexOf('/')
     if (slash < 0) {
-        const whole = world.objects.concat(world.robots).filter(one => one.name === address)[0]
+        const whole = world.objects.concat(world.robots, world.joints || []).filter(one => one.name === address)[0]
         return whole ? {object: whole, robot: null, pose: geometry.frame(whole.pose),
             parent: [0, 0, 0, 0, 0, 0, 1]} : null
     }

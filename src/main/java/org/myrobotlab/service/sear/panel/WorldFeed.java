@@ -77,7 +77,7 @@ public final class WorldFeed {
 
     /** A message: the whole state, or the changes. */
     static final class Message extends WorldState {
-        /** Present instead of objects, robots and sensors. */
+        /** Present instead of objects, robots, sensors and joints. */
         Changes changes;
         long number;
         /** All warnings so far, only in a whole state on request. */
@@ -108,6 +108,7 @@ public final class WorldFeed {
             objects = null;
             robots = null;
             sensors = null;
+            joints = null;
         }
     }
 
@@ -116,11 +117,13 @@ public final class WorldFeed {
         final Map<Integer, Object> objects;
         final Map<Integer, Object> robots;
         final Map<Integer, Object> sensors;
+        final Map<Integer, Object> joints;
 
         Changes(WorldState before, WorldState now) {
             objects = between(before.objects, now.objects);
             robots = between(before.robots, now.robots);
             sensors = between(before.sensors, now.sensors);
+            joints = between(before.joints, now.joints);
         }
 
         private static Map<Integer, Object> between(List<? extends JsonForm> before, List<? extends JsonForm> now) {

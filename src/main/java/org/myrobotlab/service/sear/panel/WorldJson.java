@@ -74,6 +74,7 @@ final class WorldJson {
                 addFixed(state.sensors.get(sensor++), robot, one, world);
             }
         }
+        JointJson.addFixed(world, state.joints);
         Map<String, WorldState.Probe> probes = state.sensors.stream()
             .collect(Collectors.toMap(probe -> probe.name, probe -> probe));
         for (BeamFan fan : BeamFans.of(world.getProject())) {
@@ -111,6 +112,7 @@ final class WorldJson {
             robot.getSensors().forEach(sensor ->
                 state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()))));
         }
+        state.joints.addAll(JointJson.moving(world));
         return state;
     }
 

@@ -28,6 +28,7 @@ class WorldState extends JsonForm {
     List<Thing> objects = new ArrayList<>();
     List<Mover> robots = new ArrayList<>();
     List<Probe> sensors = new ArrayList<>();
+    List<Link> joints = new ArrayList<>();
 
     /** An object of the environment, or a visible part of a robot. */
     static final class Thing extends JsonForm {
@@ -169,6 +170,32 @@ class WorldState extends JsonForm {
         List<float[]> fan;
         /** Cameras only. */
         EyeForm eye;
+    }
+
+    /** A joint and its reading. */
+    static final class Link extends JsonForm {
+        /** Frame on the first object, and on the second. */
+        Pose pose;
+        Pose end;
+        Boolean broken;
+        /** For example {@code 45.0 deg, 0.0 deg/s, 1.500 N m}; null without a position, likewise numbers. */
+        String words;
+        List<Double> numbers;
+        String name;
+        /** For example {@code Hinge}. */
+        String type;
+        /** Names of the objects; empty for the world. */
+        String first;
+        String second;
+        /** Names of the numbers, to append to the joint's, and their units. */
+        List<String> names;
+        String unit;
+        /** Command that moves its motor, such as {@code setJointPosition}, and its range; null without a motor. */
+        String command;
+        Double least;
+        Double most;
+        /** Why it does not move, as text; null if it can. */
+        String still;
     }
 
     /** Properties of a camera; panels request its pictures, see {@link CameraPicture}. */

@@ -129,8 +129,7 @@ public final class RobotModel implements Robot, RobotHardware {
         steersToDrive = false;
         unsettled = SETTLING;
         truth.restart();
-        truth.setEncoders(errors.hasOdometry() ? () -> (getLeftWheelAngle() + getRightWheelAngle()) / 2
-            * getWheelRadius() : null);
+        truth.setEncoders(Double.isNaN(train.getOdometer()) ? null : train::getOdometer);
     }
 
     /**

@@ -5,9 +5,9 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * Signed distance of the body's origin since the count was last reset, whole millimetres, 16 bit; by the encoders if
- * the drive has errors. Like a Roomba's packet 19 it stops at 32767 or -32768 until it is taken. Fractions of a
- * millimetre carry over to the next reading.
+ * Signed distance by the wheels' encoders since the count was last reset, whole millimetres, 16 bit; the true path of
+ * the body's origin if the object says so or the robot has no driven wheels. Like a Roomba's packet 19 it stops at
+ * 32767 or -32768 until it is taken. Fractions of a millimetre carry over to the next reading.
  *
  * <p>{@link #read} only reads, so that a window may show the count. {@link #take} reads and resets the count, like a
  * robot's program.
@@ -15,12 +15,14 @@ import org.SEAR.POJOs.SearObject;
 public final class OdometerSensor extends Sensor<OdometerReading> {
     private static final double MILLIMETRES = 1000;
 
+    private final Odometer odometer;
     private double count;
     private double before;
 
     /** @param seed random seed of the simulation */
     public OdometerSensor(Odometer parameters, long seed) {
         super(parameters, seed, 1);
+        odometer = parameters;
     }
 
     /** Reads the count and resets it. A dropped-out reading resets nothing. Simulation thread. */
@@ -36,8 +38,9 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
     @Override
     public void track(Truth truth) {
         super.track(truth);
-        count = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, count + (truth.odometry() - before) * MILLIMETRES));
-        before = truth.odometry();
+        double now = odometer.isTruePath() ? truth.path() : truth.odometry();
+        count = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, count + (now - before) * MILLIMETRES));
+        before = now;
     }
 
     @Override
@@ -66,8 +69,8 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
 
         @Override
         public String description() {
-            return "signed distance of the robot's centre since the last reading, + forward: whole millimetres, -32768 "
-                + "to 32767 (scripts get m)";
+            return "signed distance by the wheels' encoders since the last reading, + forward: whole millimetres, "
+                + "-32768 to 32767 (scripts get m)";
         }
 
         @Override

@@ -42,7 +42,7 @@ public interface Truth {
 
     /**
      * Returns the distance since start or reset that a program computes from the encoders of the driven wheels and
-     * their nominal radius, metres, if the drive has errors; otherwise {@link #path}.
+     * their nominal radii, metres; {@link #path} of a robot without driven wheels.
      */
     default double odometry() {
         return path();

@@ -720,8 +720,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * Returns the first robot's signed distance travelled, metres. An Odometer object counts from the last call, up to
-     * 32.767 m, like a Roomba. Without one, the distance counts from start or reset.
+     * Returns the first robot's signed distance travelled by its wheels, metres. An Odometer object counts from the
+     * last call, up to 32.767 m, like a Roomba. Without one, the distance counts from start or reset.
      *
      * @example print "%.3f m" % sear.getOdomResult()
      */

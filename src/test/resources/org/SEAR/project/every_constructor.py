@@ -126,7 +126,7 @@ for kind in (Accelerometer, Gyroscope):
     add(kind(name(), 20))
     add(kind(name(), 20, *pose)).setBandwidth(30)
 add(Accelerometer(name())).setGravity(True)
-add(Odometer(name()))
+add(Odometer(name())).setTruePath(True)
 
 Sphere(name(), 0.5)
 Sphere(name(), 0.5, 4)

@@ -263,6 +263,31 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         return forces.track;
     }
 
+    /**
+     * Distance since the start by the encoders of the driven wheels and their nominal radii, metres, + forward: the
+     * mean of the left and the right side. NaN without driven wheels, or if all of them drive across the robot.
+     */
+    public double getOdometer() {
+        double left = meanForward(1);
+        double right = meanForward(-1);
+        return Double.isNaN(left) ? right : Double.isNaN(right) ? left : (left + right) / 2;
+    }
+
+    /** A wheel in the middle counts for both sides. */
+    private double meanForward(int side) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            double forward = wheel.isDriven() && wheel.x * side >= 0 ? wheel.getForward() : Double.NaN;
+            if (!Double.isNaN(forward)) {
+                sum += forward;
+                count++;
+            }
+        }
+        return sum / count;
+    }
+
     /** z of the foremost wheel's mount in the body frame, metres; 0 without wheels. */
     public double getFrontAxle() {
         return frontAxle;

@@ -14,6 +14,9 @@ import org.SEAR.physics.SolverBody;
  * frame is the suspension's mount; its centre hangs below by up to the rest length. Simulation thread.
  */
 public final class RaycastWheel {
+    /** Cosine between driving direction and straight ahead below which a wheel measures no distance ahead. */
+    private static final double ACROSS = 0.1;
+
     public final Wheel object;
     /** Scaled radius, metres. */
     public final double radius;
@@ -210,6 +213,15 @@ public final class RaycastWheel {
     /** Rotation since the start by its encoder, radians, + forward. */
     public double getEncoder() {
         return counted + errors.noise(number, steps);
+    }
+
+    /**
+     * Distance of the robot straight ahead that corresponds to {@link #getEncoder} at nominal size, metres. NaN if it
+     * drives across the robot.
+     */
+    double getForward() {
+        double ahead = swivel == null ? 1 : swivel.ahead();
+        return Math.abs(ahead) < ACROSS ? Double.NaN : getEncoder() * reach / size / ahead;
     }
 
     /** Angular velocity, rad/s, + forward. */

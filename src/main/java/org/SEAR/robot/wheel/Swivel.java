@@ -97,6 +97,11 @@ final class Swivel {
         return Math.cos(rollers);
     }
 
+    /** Cosine of its unsteered driving direction to the body's forward axis. */
+    double ahead() {
+        return Math.cos(home + rollers);
+    }
+
     /** Whether it slides across its driving direction, on rollers. */
     boolean isSliding() {
         return slides;

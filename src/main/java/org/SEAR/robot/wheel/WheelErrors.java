@@ -34,13 +34,6 @@ public final class WheelErrors {
         return errors;
     }
 
-    /** Whether encoders differ from the wheels' rotation, or wheels from their size and place. */
-    public boolean hasOdometry() {
-        return errors.getRadius() > 0 || errors.getDifference() > 0 || errors.getTrack() > 0
-            || errors.getEncoderNoise() > 0
-            || errors.getMissed() > 0;
-    }
-
     /** Ratio of a driven wheel's radius to its nominal one. */
     double size(int wheel) {
         return (1 + deviation(errors.getRadius(), RADIUS, 0)) * (

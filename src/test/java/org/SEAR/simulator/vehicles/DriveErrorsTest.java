@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.POJOs.Wheel;
 import org.SEAR.Slow;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.devices.SerialLine;
@@ -25,6 +26,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.orders.BodyOrder;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
@@ -163,7 +165,11 @@ public class DriveErrorsTest {
     public void theOpenInterfaceCountsWheels() throws Exception {
         Floor ice = new Floor("ice", 50, 50);
         ice.setFriction(0);
-        Robots.create2("robot", "/dev/uart", "/dev/user");
+        SEARrobot robot = Robots.create2("robot", "/dev/uart", "/dev/user");
+        robot.addComponent(new Odometer("wheels"));
+        Odometer path = new Odometer("path");
+        path.setTruePath(true);
+        robot.addComponent(path);
         simulation = Simulation.of(Project.read(project.folder()), 1);
         ByteArrayOutputStream answers = new ByteArrayOutputStream();
         SerialLine line = simulation.getLines().get(0);
@@ -173,12 +179,52 @@ public class DriveErrorsTest {
             simulation.step();
         }
         assertEquals("stands", 0, simulation.getRobots().get(0).getHardware().getPath(), 0.01);
+        assertEquals("spinning wheels count", 0.4, metres("wheels"), 0.03);
+        assertEquals("not on the true path", 0, metres("path"), 0.01);
         line.write(Bytes.bytes("8E 3A 8E 13"));
         simulation.step();
         simulation.step();
         byte[] answer = answers.toByteArray();
         assertEquals("no progress", 0, answer[answer.length - 3]);
         assertEquals("200 mm/s for 2 s", 400, answer[answer.length - 2] << 8 | answer[answer.length - 1] & 0xFF, 30);
+        line.write(Bytes.bytes("89 00 00 00 00"));
+        step(60);
+        double before = metres("wheels");
+        simulation.order(new BodyOrder(BodyOrder.Kind.VELOCITY, "robot", 0, 0, 1, 0));
+        step(60);
+        assertEquals("pushed", 0.9, metres("path"), 0.1);
+        assertEquals("locked wheels slide", before, metres("wheels"), 0.005);
+    }
+
+    private double metres(String odometer) {
+        return ((OdometerReading) simulation.read(odometer)).getMetres();
+    }
+
+    private void step(int steps) {
+        for (int i = 0; i < steps; i++) {
+            simulation.step();
+        }
+    }
+
+    /** Wheels with rollers count what they move the robot ahead, and nothing sideways. */
+    @Test
+    public void anOdometerOnMecanumWheelsMeasuresTheWayAhead() throws Exception {
+        new Floor("floor", 50, 50);
+        SEARrobot robot = new SEARrobot("robot");
+        robot.addComponent(new Dynamics("drive", 4, 400, 0.5, 0.5, 1000, 0.02, 0, 0.1, 0, 0, 0, 0));
+        for (int i = 0; i < 4; i++) {
+            Wheel wheel = new Wheel("wheel" + i, 0.05, 0.04, 1, i % 2 == 0 ? 0.12 : -0.12, 0, i < 2 ? 0.15 : -0.15);
+            wheel.setRollers(i == 0 || i == 3 ? -45 : 45);
+            robot.addWheel(wheel);
+        }
+        robot.addComponent(new Odometer("wheels"));
+        simulation = Simulation.of(Project.read(project.folder()), 1);
+        step(60);
+        drive(0.3, Double.POSITIVE_INFINITY);
+        step(120);
+        double path = simulation.getRobots().get(0).getTruth().path();
+        assertTrue("" + path, path > 0.4);
+        assertEquals(path, metres("wheels"), 0.02);
     }
 
     /** A circle of the middle has radius (wheelbase + understeer v^2) / tan(angle - play / 2). */

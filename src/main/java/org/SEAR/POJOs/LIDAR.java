@@ -113,6 +113,11 @@ public class LIDAR extends SensorObject implements SerialObject {
         return scanTime;
     }
 
+    /** Returns whether its beams, or those of the device at its ports, are measured one after another. */
+    public boolean isRolling() {
+        return scanTime > 0 || hasDevice();
+    }
+
     @Override
     public SerialParameters getSerial() {
         return serial;

@@ -5,6 +5,9 @@ package org.SEAR.geometry;
  * Mutable rotation matrix between an inner and an outer frame, set at each step without allocation. Not thread-safe.
  */
 public final class Rotation {
+    /** Half angle between two attitudes below which linear interpolation is exact. */
+    private static final double SMALL = 1e-9;
+
     public double xx;
     public double xy;
     public double xz;
@@ -32,6 +35,40 @@ public final class Rotation {
         zy = s * (qy * qz + qx * qw);
         zz = 1 - s * (qx * qx + qy * qy);
         return this;
+    }
+
+    /**
+     * Sets the rotation between those of two unit quaternions, at constant angular velocity (spherical linear
+     * interpolation).
+     *
+     * @param part 0 for the first, 1 for the second quaternion; beyond 1 the rotation continues
+     */
+    public Rotation between(double ax, double ay, double az, double aw, double bx, double by, double bz, double bw,
+        double part) {
+        double sign = ax * bx + ay * by + az * bz + aw * bw < 0 ? -1 : 1;
+        double half = 2 * Math.atan2(length(ax - sign * bx, ay - sign * by, az - sign * bz, aw - sign * bw),
+            length(ax + sign * bx, ay + sign * by, az + sign * bz, aw + sign * bw));
+        double sine = Math.sin(half);
+        double ofA = half < SMALL ? 1 - part : Math.sin((1 - part) * half) / sine;
+        double ofB = sign * (half < SMALL ? part : Math.sin(part * half) / sine);
+        return set(ofA * ax + ofB * bx, ofA * ay + ofB * by, ofA * az + ofB * bz, ofA * aw + ofB * bw);
+    }
+
+    private static double length(double x, double y, double z, double w) {
+        return Math.sqrt(x * x + y * y + z * z + w * w);
+    }
+
+    /** Writes the matrix, row by row, to the first nine numbers. */
+    public void write(double[] out) {
+        out[0] = xx;
+        out[1] = xy;
+        out[2] = xz;
+        out[3] = yx;
+        out[4] = yy;
+        out[5] = yz;
+        out[6] = zx;
+        out[7] = zy;
+        out[8] = zz;
     }
 
     /** x component, in the outer frame, of a vector of the inner frame. */

@@ -41,6 +41,8 @@ public final class BeamScene {
     private int[] changes = new int[16];
     private int changeCount;
     private long moves;
+    /** Null until the first {@link #remember}. */
+    private ShapeMotion motion;
 
     /** Per-thread casters. */
     static final class Casters {
@@ -164,7 +166,54 @@ public final class BeamScene {
         }
         tree.update(changes, changeCount);
         moves += changeCount;
+        if (motion != null && changeCount > 0) {
+            motion.share();
+        }
         changeCount = 0;
+    }
+
+    /**
+     * Remembers the committed poses of a step for {@link #castAt}, which needs those of each step. Repeated calls for a
+     * step have no effect. Simulation thread.
+     */
+    public void remember(long step) {
+        if (motion == null) {
+            motion = new ShapeMotion(shapes);
+            motion.forget(poses);
+        }
+        motion.add(step, poses);
+    }
+
+    /** Takes the committed poses as those of all times, as after a teleport or a reset. Simulation thread. */
+    public void forgetMotion() {
+        if (motion != null) {
+            motion.forget(poses);
+        }
+    }
+
+    /**
+     * Returns whether a shape has moved between two times.
+     *
+     * @param since in steps, within the last two seconds; likewise until, which may be up to one step ahead
+     */
+    public boolean hasMoved(double since, double until) {
+        return motion != null && motion.hasMoved(since, until);
+    }
+
+    /**
+     * Returns whether a ray touches the surroundings of a moving shape at one of two times, in steps. If not,
+     * {@link #cast} and {@link #castAt} return the same.
+     */
+    public boolean isNearMoving(double a, double b, double ox, double oy, double oz, double dx, double dy, double dz,
+        double maxRange, int ignoredOwner) {
+        for (int i = 0; motion != null && i < motion.count; i++) {
+            if (shapes.isSeen(motion.shape(i), ignoredOwner)
+                && (motion.isNear(i, a, ox, oy, oz, dx, dy, dz, maxRange)
+                || motion.isNear(i, b, ox, oy, oz, dx, dy, dz, maxRange))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -202,6 +251,19 @@ public final class BeamScene {
     public double cast(double ox, double oy, double oz, double dx, double dy, double dz, double maxRange,
         int ignoredOwner, Hit hit) {
         return casters().rays.cast(shapes, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner, hit);
+    }
+
+    /**
+     * Returns {@link #cast} at a time: moving shapes have the poses between those of the {@link #remember remembered}
+     * steps.
+     *
+     * @param time in steps, within the last two seconds or up to one step ahead
+     */
+    public double castAt(double time, double ox, double oy, double oz, double dx, double dy, double dz,
+        double maxRange, int ignoredOwner) {
+        RayCaster rays = casters().rays;
+        return motion == null ? rays.cast(shapes, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner, null)
+            : rays.castAt(motion, time, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner);
     }
 
     /**

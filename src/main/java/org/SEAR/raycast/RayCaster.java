@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightTiles;
+import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.solid.Mesh;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RayHeights;
@@ -25,6 +26,9 @@ final class RayCaster {
     private final RayTraversal inside = new RayTraversal();
     final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
+    /** Frame of a moving shape. */
+    private final double[] frame = new double[Shapes.STRIDE];
+    private final Rotation rotation = new Rotation();
     /** Tile of the last successful {@link #tiles}. */
     private HeightField tile;
     /** Triangle of the last successful {@link #mesh}. */
@@ -63,12 +67,32 @@ final class RayCaster {
         return best;
     }
 
+    /** Returns the nearest distance of a ray at a time, in steps, with moving shapes where they are then. */
+    double castAt(ShapeMotion motion, double time, Bvh tree, double ox, double oy, double oz, double dx, double dy,
+        double dz, double maxRange, int ignored) {
+        double best = cast(motion.still, tree, ox, oy, oz, dx, dy, dz, maxRange, ignored, null);
+        for (int i = 0; i < motion.count; i++) {
+            double limit = Math.min(best, maxRange);
+            int shape = motion.shape(i);
+            if (motion.isSeen(shape, ignored) && motion.isNear(i, time, ox, oy, oz, dx, dy, dz, limit)) {
+                motion.place(i, time, rotation, frame);
+                double t = test(motion.still, shape, frame, 0, ox, oy, oz, dx, dy, dz, limit);
+                best = t <= limit ? t : best;
+            }
+        }
+        return best;
+    }
+
     /** Returns the distance to one shape. */
     double test(Shapes shapes, int shape, double ox, double oy, double oz, double dx, double dy, double dz,
         double limit) {
+        return test(shapes, shape, shapes.data, shape * Shapes.STRIDE, ox, oy, oz, dx, dy, dz, limit);
+    }
+
+    /** Returns the distance to one shape in the frame from {@code m[i]} on. */
+    private double test(Shapes shapes, int shape, double[] m, int i, double ox, double oy, double oz, double dx,
+        double dy, double dz, double limit) {
         tested++;
-        double[] m = shapes.data;
-        int i = shape * Shapes.STRIDE;
         double wx = ox - m[i + 9];
         double wy = oy - m[i + 10];
         double wz = oz - m[i + 11];

@@ -27,6 +27,7 @@ final class Shapes {
     static final int STRIDE = 16;
     static final int POSITION = 9;
     static final int SIZE = 12;
+    private static final double ROUNDING = 1e-6;
 
     int count;
     byte[] kind = new byte[16];
@@ -70,6 +71,35 @@ final class Shapes {
         heights[added] = other.heights[shape];
         tiles[added] = other.tiles[shape];
         tileTrees[added] = other.tileTrees[shape];
+    }
+
+    /** Becomes a view of another scene's shapes, with a copy of their visibility. */
+    void share(Shapes other) {
+        count = other.count;
+        kind = other.kind;
+        owner = other.owner;
+        mesh = other.mesh;
+        solid = other.solid;
+        heights = other.heights;
+        tiles = other.tiles;
+        tileTrees = other.tileTrees;
+        data = other.data;
+        if (visible.length != other.visible.length) {
+            visible = new boolean[other.visible.length];
+        }
+        System.arraycopy(other.visible, 0, visible, 0, count);
+    }
+
+    /** Returns the radius of a sphere about a shape's origin that contains the shape, metres. */
+    double radius(int shape) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++) {
+            double size = Math.abs(data[shape * STRIDE + SIZE + k]);
+            boolean symmetric = kind[shape] == BOX || kind[shape] == CONVEX;
+            double reach = symmetric ? size : size * Math.max(Math.abs(side(shape, k)), Math.abs(side(shape, k + 3)));
+            sum += reach * reach;
+        }
+        return Math.sqrt(sum) * (1 + ROUNDING);
     }
 
     boolean isSeen(int shape, int ignoredOwner) {

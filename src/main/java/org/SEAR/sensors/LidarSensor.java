@@ -64,15 +64,20 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     @Override
     public double range(Truth truth, LidarScan scan, int beam, double time) {
         double at = time / truth.stepLength();
-        if (history.isAtRest(at, scan.step(), truth.step())) {
+        BeamScene scene = truth.scene();
+        boolean rests = history.isAtRest(at, scan.step(), truth.step());
+        if (rests && (history.isEmpty() || !scene.hasMoved(Math.min(at, scan.step()), at))) {
             return scan.range(beam);
         }
         history.find(at);
         double angle = Math.toRadians(scan.angle(beam));
         history.aim(Math.sin(angle), Math.cos(angle));
-        double range = truth.scene().cast(history.x, history.y, history.z, history.dx, history.dy, history.dz,
-            lidar.getRange(), ignored(truth),
-            null);
+        if (rests && !scene.isNearMoving(at, scan.step(), history.x, history.y, history.z, history.dx, history.dy,
+            history.dz, lidar.getRange(), ignored(truth))) {
+            return scan.range(beam);
+        }
+        double range = scene.castAt(at, history.x, history.y, history.z, history.dx, history.dy, history.dz,
+            lidar.getRange(), ignored(truth));
         return errors.isNone() ? range : disturbed(range, scan.step(), beam);
     }
 
@@ -84,6 +89,9 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     public void track(Truth truth) {
         super.track(truth);
         history.add(truth.step(), truth.body(), getMount());
+        if (lidar.isRolling()) {
+            truth.scene().remember(truth.step());
+        }
     }
 
     @Override

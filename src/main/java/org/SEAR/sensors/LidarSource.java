@@ -18,9 +18,8 @@ public interface LidarSource {
 
     /**
      * Returns the range of a beam of a scan at the time at which the scanner measures that beam. It differs from the
-     * scan's range only if the sensor has moved between that time and the scan. The sensor's pose at the time is
-     * interpolated between steps; at most one step after the current one it continues at the same speed. Obstacles are
-     * those of the current step.
+     * scan's range only if the sensor or an obstacle has moved between that time and the scan. Their poses at the time
+     * are interpolated between steps; at most one step after the current one they continue at the same speed.
      *
      * @param scan of the last two seconds
      * @param beam 0 (rightmost) to scan.size() - 1

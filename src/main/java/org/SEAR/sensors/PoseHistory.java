@@ -14,8 +14,6 @@ final class PoseHistory {
     private static final int STEPS = 121;
     /** Largest movement of a sensor at rest: metres, and components of a unit quaternion. */
     private static final double REST = 1e-6;
-    /** Half angle between two attitudes below which linear interpolation is exact. */
-    private static final double SMALL = 1e-9;
 
     private final Pose[] bodies = new Pose[STEPS];
     private final Pose[] mounts = new Pose[STEPS];
@@ -89,6 +87,11 @@ final class PoseHistory {
         return last != now || restSince <= Math.min(step, time);
     }
 
+    /** Returns whether no step is remembered. */
+    boolean isEmpty() {
+        return last < 0;
+    }
+
     /**
      * Finds the pose at a time. Before the first remembered step it is that of this step; after the last one the
      * movement continues for at most one step.
@@ -113,22 +116,8 @@ final class PoseHistory {
         z = a.z + part * (b.z - a.z) + body.outZ(mx, my, mz);
     }
 
-    /** Spherical linear interpolation of two attitudes. */
     private static void turn(Rotation out, Pose a, Pose b, double part) {
-        double sign = a.qx * b.qx + a.qy * b.qy + a.qz * b.qz + a.qw * b.qw < 0 ? -1 : 1;
-        double half = 2 * Math.atan2(length(a, b, -sign), length(a, b, sign));
-        double sine = Math.sin(half);
-        double ofA = half < SMALL ? 1 - part : Math.sin((1 - part) * half) / sine;
-        double ofB = sign * (half < SMALL ? part : Math.sin(part * half) / sine);
-        out.set(ofA * a.qx + ofB * b.qx, ofA * a.qy + ofB * b.qy, ofA * a.qz + ofB * b.qz, ofA * a.qw + ofB * b.qw);
-    }
-
-    private static double length(Pose a, Pose b, double sign) {
-        double qx = a.qx + sign * b.qx;
-        double qy = a.qy + sign * b.qy;
-        double qz = a.qz + sign * b.qz;
-        double qw = a.qw + sign * b.qw;
-        return Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
+        out.between(a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, part);
     }
 
     /** Computes the direction of a beam in the found pose's x-z plane: sine and cosine of its angle to the left. */

@@ -252,6 +252,7 @@ final class World implements PhysicsWorld.Touches {
             robot.mirror();
         }
         scenes.commit();
+        scenes.beams.forgetMotion();
         contacts.clear();
         poses = poses();
     }
@@ -262,6 +263,7 @@ final class World implements PhysicsWorld.Touches {
         orders.forget(moves.body(name));
         fallen.restart();
         scenes.commit();
+        scenes.beams.forgetMotion();
         poses = poses();
     }
 

@@ -9,8 +9,7 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The rotating head. It takes 2000 samples per second, 4000 in express scans, clockwise from straight ahead. The
- * motor's speed sets the samples per turn. Each sample is of its own time; obstacles are those of the time of its
- * block.
+ * motor's speed sets the samples per turn. Each sample is of its own time.
  */
 final class Head {
     /** Duration, seconds, of the samples sent together: 16 nodes, or the 32 samples of a capsule. */

@@ -12,8 +12,7 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The rotating mirror: when each step is measured, and with which value. Turn k begins, with step 0 at the rear, at k
- * times the scan time, and each step is of its own time. Obstacles after the front are those of the end of the turn, if
- * the robot moves; otherwise they are those of the instant at which it looks ahead.
+ * times the scan time, and each step is of its own time.
  */
 final class Scanner {
     private static final double MILLIMETRES = 1000;

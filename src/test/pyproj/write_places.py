@@ -1,7 +1,8 @@
 """Writes places in coordinate systems of the EPSG register, with PROJ's latitudes and longitudes of WGS 84.
 
 write_places.py LIBRARIES FILE SYSTEMS SEED
-Each line has the EPSG number, x, y, latitude and longitude. SYSTEMS is the number of systems, chosen at random. Places are inside
+Each line has the EPSG number, x, y, latitude and longitude; after a tab the system as well-known text of ESRI without numbers, if PROJ's
+datum shift is certain within 5 m. SYSTEMS is the number of systems, chosen at random. Places are inside
 a system's area of use, and inside the area of the datum shift that PROJ uses there.
 """
 import sys
@@ -11,6 +12,7 @@ sys.path.insert(0, LIBRARIES)
 
 import math
 import random
+import re
 import warnings
 
 import pyproj
@@ -46,12 +48,14 @@ def places(code):
         if not all(map(math.isfinite, (x, y, *there))):
             continue
         try:
-            area = earth.get_last_used_operation().area_of_use
+            used = earth.get_last_used_operation()
+            area, certain = used.area_of_use, 0 <= used.accuracy <= 5
         except ProjError:
-            area = None
+            area, certain = None, False
         if found < PLACES and (area is None or inside(area.bounds, longitude, latitude)):
             found += 1
-            yield f'{code} {x!r} {y!r} {there[1]!r} {there[0]!r}\n'
+            text = re.sub(r',AUTHORITY\[[^]]*\]', '', crs.to_wkt('WKT1_ESRI') or '') if certain else ''
+            yield f'{code} {x!r} {y!r} {there[1]!r} {there[0]!r}' + ('\t' + re.sub(r'\s*\n\s*', '', text) if text else '') + '\n'
 
 
 def main():

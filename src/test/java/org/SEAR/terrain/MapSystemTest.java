@@ -6,6 +6,9 @@ import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import org.SEAR.terrain.format.AsciiGridTest;
 import org.junit.Test;
 
 /** Coordinate systems by EPSG number. */
@@ -60,16 +63,21 @@ public class MapSystemTest {
      * back.
      */
     static double error(String line) throws IOException {
+        return error("EPSG:" + line.split(" ")[0], line);
+    }
+
+    /** Returns the same in another system than that of the line's number. */
+    static double error(String system, String line) throws IOException {
         String[] words = line.split(" ");
         double x = Double.parseDouble(words[1]);
         double y = Double.parseDouble(words[2]);
         double latitude = Double.parseDouble(words[3]);
         double longitude = Double.parseDouble(words[4]);
-        MapSystem system = MapSystem.over("map.tif", "EPSG:" + words[0], x, y);
+        MapSystem conversion = MapSystem.over("map.tif", system, x, y);
         double[] map = new double[2];
-        system.toMap(latitude, longitude, map);
-        return Math.max(distance(system.toEarth(x, y), latitude, longitude),
-            distance(system.toEarth(map[0], map[1]), latitude, longitude));
+        conversion.toMap(latitude, longitude, map);
+        return Math.max(distance(conversion.toEarth(x, y), latitude, longitude),
+            distance(conversion.toEarth(map[0], map[1]), latitude, longitude));
     }
 
     private static double distance(double[] place, double latitude, double longitude) {
@@ -89,6 +97,17 @@ public class MapSystemTest {
     public void placesAreThoseOfProj() throws IOException {
         for (String line : PLACES) {
             assertEquals(line, 0, error(line), 0.1);
+        }
+    }
+
+    /** Lines of prj-files.txt: EPSG number, x, y, PROJ's latitude and longitude, and a .prj without numbers. */
+    @Test
+    public void projectionsByTheirNamesAreThoseOfProj() throws IOException {
+        try (InputStream in = MapSystemTest.class.getResourceAsStream("prj-files.txt")) {
+            for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
+                String[] parts = line.split("\t");
+                assertEquals(line, 0, error(AsciiGridTest.prj(parts[1]), parts[0]), 0.5);
+            }
         }
     }
 

@@ -17,6 +17,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.Needs;
 import org.SEAR.Slow;
+import org.SEAR.terrain.format.AsciiGridTest;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
@@ -47,10 +48,15 @@ public class ProjTest {
         List<String> wrong = new ArrayList<>();
         for (String line : Files.readAllLines(places)) {
             all.add(line.split(" ")[0]);
+            String[] parts = line.split("\t");
             try {
-                double error = MapSystemTest.error(line);
+                double error = MapSystemTest.error(parts[0]);
                 if (!(error < 2)) {
                     wrong.add("EPSG:" + line + " is off by " + error + " m");
+                }
+                error = parts.length == 1 ? 0 : MapSystemTest.error(AsciiGridTest.prj(parts[1]), parts[0]);
+                if (!(error < 2)) {
+                    wrong.add(line + " is off by " + error + " m by its name");
                 }
             } catch (IOException e) {
                 refused.add(line.split(" ")[0]);

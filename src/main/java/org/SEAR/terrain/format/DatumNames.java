@@ -15,6 +15,8 @@ final class DatumNames {
     private static final String FILE = "datums.txt";
     private static final Pattern DATUM = Pattern.compile("DATUM\\[\"([^\"]*)\"", Pattern.CASE_INSENSITIVE);
 
+    private static final Pattern MERIDIAN = Pattern.compile("PRIMEM\\[\"([^\"]*)\"", Pattern.CASE_INSENSITIVE);
+
     private DatumNames() {
     }
 
@@ -26,7 +28,12 @@ final class DatumNames {
      */
     static String system(String text) throws IOException {
         Matcher datum = DATUM.matcher(text);
-        String number = datum.find() ? all().get(plain(datum.group(1))) : null;
+        Matcher meridian = MERIDIAN.matcher(text);
+        String name = datum.find() ? plain(datum.group(1)) : "";
+        Map<String, String> all = all();
+        // the same datum with longitudes from another meridian, as Nouvelle_Triangulation_Francaise_(Paris)
+        String number = all.get(all.containsKey(name) || !meridian.find() ? name
+            : name.replaceFirst("_" + Pattern.quote(plain(meridian.group(1))) + "$", ""));
         return number == null ? null : "EPSG:" + number;
     }
 

@@ -47,7 +47,10 @@ final class EsriProjection {
             int zone = Integer.parseInt(old.group(1));
             return "EPSG:" + (zone < 0 ? 32700 - zone : 32600 + zone);
         }
-        if (text.matches("(?is)GEOGCS\\[.*(WGS_1984|WGS 84).*") || text.matches("(?is)Projection\\s+GEOGRAPHIC\\b.*")) {
+        // other datums use the ellipsoid of WGS 84, too
+        String datums = text.replaceAll("(?i)SPHEROID\\[\"[^\"]*\"", "");
+        if (datums.matches("(?is)GEOGCS\\[.*(WGS_1984|WGS 84).*")
+            || text.matches("(?is)Projection\\s+GEOGRAPHIC\\b.*")) {
             return Georeference.WGS84;
         }
         if (text.matches("(?is)GEOGCS\\[.*(D_North_American_1983|NAD83).*")) {
@@ -63,10 +66,9 @@ final class EsriProjection {
             return datum;
         }
         throw FileLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
-            "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, longitude and latitude, or "
-                + "Lambert's, Albers', a double stereographic or a transverse Mercator projection on a datum of the "
-                + "EPSG register, in degrees from"
-                + " Greenwich");
+            "one with AUTHORITY[\"EPSG\",...], longitude and latitude, or a projection that docs/terrain.md lists on a "
+                + "datum of the EPSG register: convert the map by gdalwarp -t_srs EPSG:4326 "
+                + file.getName().replaceFirst(".*/", "").replaceFirst("(?i)\\.prj$", ".asc") + " wgs84.tif");
     }
 
     private static int zone(String datum, String side) {

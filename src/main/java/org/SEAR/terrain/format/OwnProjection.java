@@ -54,32 +54,32 @@ final class OwnProjection {
                 }
             }
         }
-        return text(method, parameters, ellipsoid, unit);
+        for (String length : new String[] {"x_0", "y_0"}) {
+            parameters.computeIfPresent(length, (name, value) -> value * metres(unit));
+        }
+        return text(method, parameters, ellipsoid, "units=" + unit);
     }
 
     /**
      * Formats PROJ parameters.
-     * @param parameters by PROJ's names; lengths in the map's unit, converted to metres
-     * @param unit m, ft or us-ft
+     * @param parameters by PROJ's names; lengths in metres
+     * @param unit of map coordinates, as units=m or to_meter=0.9144
      */
     static String text(String method, Map<String, Double> parameters, String ellipsoid, String unit) {
-        return projection("+proj=" + method, " +", parameters, unit)
-            .replace(" +units=", " +ellps=" + ellipsoid + " +towgs84=0,0,0 +units=")
+        return projection("+proj=" + method, " +", parameters) + " +ellps=" + ellipsoid + " +towgs84=0,0,0 +" + unit
             + " +no_defs";
     }
 
     /**
-     * Formats a projection without its datum.
+     * Formats a projection without its datum and unit.
      * @param start text before the parameters
      * @param between text before each parameter
-     * @param parameters by PROJ's names; lengths in the map's unit, converted to metres
-     * @param unit m, ft or us-ft
+     * @param parameters by PROJ's names; lengths in metres
      */
-    static String projection(String start, String between, Map<String, Double> parameters, String unit) {
+    static String projection(String start, String between, Map<String, Double> parameters) {
         StringBuilder text = new StringBuilder(start);
-        parameters.forEach((name, value) -> text.append(between).append(name).append('=')
-            .append(name.equals("x_0") || name.equals("y_0") ? value * metres(unit) : value));
-        return text.append(between).append("units=").append(unit).toString();
+        parameters.forEach((name, value) -> text.append(between).append(name).append('=').append(value));
+        return text.toString();
     }
 
     private static boolean known(Map<Integer, Integer> keys, int key) {

@@ -81,7 +81,8 @@ public class AsciiGridTest {
         refused("ncols " + "9".repeat(100), "the text is \"9999");
     }
 
-    private static String prj(String text) throws IOException {
+    /** Returns the coordinate system of a .prj. */
+    public static String prj(String text) throws IOException {
         return EsriProjection.system(bytes("a.prj", text));
     }
 
@@ -99,6 +100,8 @@ public class AsciiGridTest {
         assertEquals("EPSG:26910", prj("PROJCS[\"NAD_1983_UTM_Zone_10N\",GEOGCS[\"GCS_North_American_1983\"]]"));
         assertEquals("EPSG:4326", prj(
             "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]]]"));
+        assertEquals("EPSG:4318", prj("GEOGCS[\"GCS_NGN\",DATUM[\"D_NGN\",SPHEROID[\"WGS_1984\",6378137.0,"
+            + "298.257223563]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]"));
         assertEquals("EPSG:4269", prj("GEOGCS[\"GCS_North_American_1983\",DATUM[\"D_North_American_1983\"]]"));
         assertEquals("EPSG:2056", prj(
             "PROJCS[\"CH1903+ / LV95\",GEOGCS[\"x\",AUTHORITY[\"EPSG\",\"4150\"]],AUTHORITY[\"EPSG\",\"2056\"]]\n"));
@@ -116,9 +119,11 @@ public class AsciiGridTest {
             && feet.endsWith("+units=us-ft +no_defs"));
         for (String[] unknown : new String[][] {{"D_Mars", "Lambert_Conformal_Conic", "False_Easting\",0",
             "Meter\",1.0"},
-            {"D_RGF_1993", "Krovak", "False_Easting\",0", "Meter\",1.0"},
+            {"D_RGF_1993", "Polyconic", "False_Easting\",0", "Meter\",1.0"},
+            {"D_RGF_1993", "Krovak", "Pseudo_Standard_Parallel_1\",70", "Meter\",1.0"},
+            {"D_RGF_1993", "Stereographic", "Latitude_Of_Origin\",45", "Meter\",1.0"},
             {"D_RGF_1993", "Lambert_Conformal_Conic", "Azimuth\",0", "Meter\",1.0"},
-            {"D_RGF_1993", "Lambert_Conformal_Conic", "False_Easting\",0", "Yard\",0.9144"}}) {
+            {"D_RGF_1993", "Lambert_Conformal_Conic", "False_Easting\",0", "Nothing\",0"}}) {
             assertThrows(unknown[0], IOException.class,
                 () -> prj(spelled(unknown[0], unknown[1], unknown[2], unknown[3])));
         }

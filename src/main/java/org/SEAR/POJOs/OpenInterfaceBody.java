@@ -13,13 +13,13 @@ public enum OpenInterfaceBody {
     /** As in {@link Dynamics#getModel}. */
     public final String model;
     /** Distance between the middles of the left and the right wheel, metres. */
-    public final double wheelBase;
+    public final double track;
     /** Metres; from the Create 2's document, also for the other models. */
     public final double wheelRadius;
 
-    OpenInterfaceBody(String model, double wheelBase, double wheelRadius) {
+    OpenInterfaceBody(String model, double track, double wheelRadius) {
         this.model = model;
-        this.wheelBase = wheelBase;
+        this.track = track;
         this.wheelRadius = wheelRadius;
     }
 

@@ -126,9 +126,9 @@ public final class Robots {
         body.move(0, RAISED, 0);
         OpenInterfaceBody size = OpenInterfaceBody.of(model);
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "left"), size.wheelRadius, TREAD, 1,
-            size.wheelBase / 2, 0, 0));
+            size.track / 2, 0, 0));
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "right"), size.wheelRadius, TREAD, 1,
-            -size.wheelBase / 2, 0, 0));
+            -size.track / 2, 0, 0));
         double casterY = CASTER_RADIUS - size.wheelRadius;
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "front"), CASTER_RADIUS, TREAD, 0, 0, casterY, CASTER_Z));
         robot.addWheel(new Wheel(ObjectStores.partName(robot, "back"), CASTER_RADIUS, TREAD, 0, 0, casterY, -CASTER_Z));

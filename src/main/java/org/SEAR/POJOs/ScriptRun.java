@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -18,7 +17,6 @@ import org.SEAR.grammar.ScriptLine;
  * of its own; a repeated run may create the same objects again. Any thread.
  */
 final class ScriptRun {
-    private static final String SCRIPT = "org.python.pycode.";
     private final Set<String> names = new HashSet<>();
     /** Script line that created each object. */
     private final Map<String, String> lines = new HashMap<>();
@@ -86,16 +84,11 @@ final class ScriptRun {
      * @return whether a script calls
      */
     private boolean follow() {
-        Optional<String> present = StackWalker.getInstance()
-            .walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
-            .filter(type -> type.startsWith(SCRIPT)).reduce((inner, outer) -> outer));
-        if (present.isPresent() && !present.get().equals(run)) {
-            run = present.get();
-            names.clear();
-            lines.clear();
-            replaced.clear();
-            taken = false;
+        String present = ScriptLine.run();
+        if (!present.isEmpty() && !present.equals(run)) {
+            run = present;
+            forget();
         }
-        return present.isPresent();
+        return !present.isEmpty();
     }
 }

@@ -37,7 +37,7 @@ public interface RobotHardware {
     LightHardware getLight(String name);
 
     /** Nominal distance between the left and right driven wheels, metres. */
-    double getWheelBase();
+    double getTrack();
 
     /** Rotation of the left driven wheels since start or reset by their encoders, radians, + forward. */
     double getLeftWheelAngle();

@@ -41,7 +41,7 @@ public final class ScriptLine {
      * @return {@code line 7 of first.py}; empty if no script calls
      */
     public static String here() {
-        if (!isInScript()) {
+        if (run().isEmpty()) {
             return "";
         }
         try {
@@ -52,9 +52,10 @@ public final class ScriptLine {
         }
     }
 
-    private static boolean isInScript() {
-        return StackWalker.getInstance()
-            .walk(frames -> frames.anyMatch(frame -> frame.getClassName().startsWith(SCRIPT)));
+    /** Returns the run of a Jython script that calls, by the class that Jython compiled for it; empty if none calls. */
+    public static String run() {
+        return StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
+            .filter(type -> type.startsWith(SCRIPT)).reduce("", (inner, outer) -> outer));
     }
 
     /**
@@ -63,7 +64,7 @@ public final class ScriptLine {
      * @return null if it is Java's working folder, or if no Jython script calls
      */
     static Path folder() {
-        if (!isInScript()) {
+        if (run().isEmpty()) {
             return null;
         }
         try {

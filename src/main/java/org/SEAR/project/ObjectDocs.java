@@ -111,7 +111,7 @@ public final class ObjectDocs {
             + "rosie.move(1, 0, 2)\nrosie.rotate(0, 90, 0)\nrosie.addComponent(Compass(\"compass\"))\n```\n\n"
             + "| call | track width | wheel radius | encoders |\n|---|---|---|---|\n");
         for (OpenInterfaceBody body : OpenInterfaceBody.values()) {
-            out.append("| Robots.").append(body.model).append("(name) | ").append(Parameter.format(body.wheelBase))
+            out.append("| Robots.").append(body.model).append("(name) | ").append(Parameter.format(body.track))
                 .append(" m | ")
                 .append(Parameter.format(body.wheelRadius)).append(" m | ")
                 .append(body.hasEncoders() ? "508.8 counts per turn" : "none")

@@ -87,7 +87,7 @@ public final class DriveOrder {
         if (!call.equals(SPIN)) {
             return first;
         }
-        double base = driven.getHardware().getWheelBase();
+        double base = driven.getHardware().getTrack();
         if (base == 0) {
             throw new IllegalArgumentException("robot " + name + " can't turn in place" + ALL_IN_THE_MIDDLE);
         }
@@ -112,7 +112,7 @@ public final class DriveOrder {
             return;
         }
         String refused = "robot " + name + " can't turn by wheel speeds " + left + " and " + right + " m/s";
-        if (driven.getHardware().getWheelBase() == 0) {
+        if (driven.getHardware().getTrack() == 0) {
             throw new IllegalArgumentException(refused + ALL_IN_THE_MIDDLE);
         }
         for (Wheel wheel : driven.getObject().getWheels()) {

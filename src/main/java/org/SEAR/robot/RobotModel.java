@@ -332,7 +332,7 @@ public final class RobotModel implements Robot, RobotHardware {
         if (Double.isFinite(radius) && speed != 0) {
             train.turnBySpeeds();
         }
-        double half = getWheelBase() / 2;
+        double half = getTrack() / 2;
         if (Double.isInfinite(radius)) {
             train.setSpeeds(speed, speed);
         } else if (radius == 0) {
@@ -368,8 +368,8 @@ public final class RobotModel implements Robot, RobotHardware {
         double along = (left + right) / 2;
         if (left == right && (along == 0 || !steersToDrive)) {
             train.setSpeeds(left, right);
-        } else if (train.canSteer() && getWheelBase() > 0) {
-            double radius = left == right ? Double.POSITIVE_INFINITY : along * getWheelBase() / (right - left);
+        } else if (train.canSteer() && getTrack() > 0) {
+            double radius = left == right ? Double.POSITIVE_INFINITY : along * getTrack() / (right - left);
             drive(radius == 0 ? right : along, radius);
         } else {
             train.turnBySpeeds();
@@ -406,7 +406,7 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     @Override
-    public double getWheelBase() {
+    public double getTrack() {
         return train.getTrack();
     }
 

@@ -185,13 +185,13 @@ public final class StartChecks {
     /** A driver computes distances and turns from the dimensions of the real robot. */
     private static void checkDimensions(RobotModel robot, OpenInterfaceBody real, List<String> warnings) {
         SEARrobot object = robot.getObject();
-        double base = robot.getHardware().getWheelBase();
-        if (base > 0 && differ(base, real.wheelBase)) {
+        double base = robot.getHardware().getTrack();
+        if (base > 0 && differ(base, real.track)) {
             warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, but its "
                 + "own are %.3f m"
                 + " apart: drivers misjudge its turns. Robots.%s(name) makes a robot that fits",
                 object.getName(), real.model,
-                real.wheelBase, base, real.model));
+                real.track, base, real.model));
         }
         object.getWheels().stream().filter(wheel -> real.hasEncoders() && wheel.isDriven()
             && differ(wheel.getRadius(), real.wheelRadius))

@@ -47,7 +47,7 @@ public final class FakeHardware implements RobotHardware {
     }
 
     @Override
-    public double getWheelBase() {
+    public double getTrack() {
         return base;
     }
 

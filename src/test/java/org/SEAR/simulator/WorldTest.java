@@ -53,7 +53,7 @@ public class WorldTest {
         assertEquals(0.1, pose.y, 0.002);
         assertEquals(1, pose.x, 0.002);
         assertEquals(2, pose.z, 0.002);
-        assertEquals(0, simulation.getRobots().get(0).getHardware().getWheelBase(), 0);
+        assertEquals(0, simulation.getRobots().get(0).getHardware().getTrack(), 0);
     }
 
     @Test

@@ -43,7 +43,7 @@ final class Drive {
             set(-velocity, velocity);
         } else {
             radius = clamp(wantedRadius, MAX_RADIUS);
-            double share = hardware.getWheelBase() * MILLIMETRES / 2 / radius;
+            double share = hardware.getTrack() * MILLIMETRES / 2 / radius;
             double slow = Math.min(1, MAX_VELOCITY / (Math.abs(velocity) * (1 + Math.abs(share)) + 1e-9));
             set(velocity * (1 - share) * slow, velocity * (1 + share) * slow);
         }
@@ -92,7 +92,7 @@ final class Drive {
     boolean isBackwardAndTight() {
         double sum = left + right;
         double turn = Math.abs(right - left);
-        return sum < 0 && hardware.getWheelBase() / 2 * -sum < turn * hardware.getBodyRadius();
+        return sum < 0 && hardware.getTrack() / 2 * -sum < turn * hardware.getBodyRadius();
     }
 
     boolean isMoving() {

@@ -75,7 +75,7 @@ final class SensorPackets {
      */
     private double angleTotal() {
         double lead = (hardware.getRightWheelAngle() - hardware.getLeftWheelAngle()) * hardware.getWheelRadius();
-        double turned = hardware.getWheelBase() > 0 ? lead / hardware.getWheelBase() : 0;
+        double turned = hardware.getTrack() > 0 ? lead / hardware.getTrack() : 0;
         return model.isAngleInMillimetres() ? turned * ROOMBA400_HALF_BASE : Math.toDegrees(turned);
     }
 

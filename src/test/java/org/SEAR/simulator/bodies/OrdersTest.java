@@ -102,7 +102,7 @@ public class OrdersTest {
         Robot car = start(Robots.car("car"));
         car.drive(0.3, 0.6);
         assertEquals("[]", warnings().toString());
-        double spin = Math.toRadians(40) * car.getHardware().getWheelBase() / 2;
+        double spin = Math.toRadians(40) * car.getHardware().getTrack() / 2;
         car.drive(spin, 0);
         car.drive(spin, 0.1);
         assertEquals("[robot car can't obey the command to turn in place: its wheels steer by 30 degrees at most. At "

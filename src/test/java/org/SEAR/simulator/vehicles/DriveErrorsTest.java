@@ -56,7 +56,7 @@ public class DriveErrorsTest {
         RobotHardware wheels = simulation.getRobots().get(0).getHardware();
         double l = wheels.getLeftWheelAngle() * wheels.getWheelRadius();
         double r = wheels.getRightWheelAngle() * wheels.getWheelRadius();
-        double turned = (r - l - right + left) / wheels.getWheelBase();
+        double turned = (r - l - right + left) / wheels.getTrack();
         double way = (r - right + l - left) / 2;
         x += way * Math.sin(heading + turned / 2);
         z += way * Math.cos(heading + turned / 2);

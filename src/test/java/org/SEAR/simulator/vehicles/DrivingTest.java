@@ -57,12 +57,12 @@ public class DrivingTest {
     @Test
     public void readyRobotsMeetTheirCommandsOnTheWheelsOfTheRealOnes() throws Exception {
         Robots.roomba400("r");
-        assertEquals(0.258, meetsCommands(0.3).getWheelBase(), 1e-9);
+        assertEquals(0.258, meetsCommands(0.3).getTrack(), 1e-9);
         Robots.create("r", "/dev/uart", "/dev/user");
-        assertEquals(0.258, meetsCommands(0.4).getWheelBase(), 1e-9);
+        assertEquals(0.258, meetsCommands(0.4).getTrack(), 1e-9);
         Robots.create2("r", "/dev/uart", "/dev/user");
         RobotHardware create2 = meetsCommands(0.2);
-        assertEquals(0.235, create2.getWheelBase(), 1e-9);
+        assertEquals(0.235, create2.getTrack(), 1e-9);
         assertEquals("no slip", create2.getPath(),
             0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
     }
@@ -102,7 +102,7 @@ public class DrivingTest {
         assertEquals(1, hardware.getPath() - path, 0.01);
         assertEquals(0, robot.getPose().x - start.x, 0.01);
 
-        double half = hardware.getWheelBase() / 2;
+        double half = hardware.getTrack() / 2;
         double turned = hardware.getTurned();
         start = robot.getPose();
         go(simulation, speed / 2, 0, FULL_TURN * half / (speed / 2));

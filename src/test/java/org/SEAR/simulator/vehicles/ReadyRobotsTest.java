@@ -145,7 +145,7 @@ public class ReadyRobotsTest {
     public void aCarSteersByWheelSpeeds() throws Exception {
         Simulation simulation = make("car");
         Robot car = simulation.getRobots().get(0);
-        double track = car.getHardware().getWheelBase();
+        double track = car.getHardware().getTrack();
         double wheelbase = 0.3;
         car.getHardware().setWheelSpeeds(0.2, 0.25);
         assertSteering(simulation, Math.toDegrees(Math.atan(wheelbase * 0.05 / 0.225 / track)));

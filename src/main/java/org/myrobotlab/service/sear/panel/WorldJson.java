@@ -138,7 +138,7 @@ final class WorldJson {
         mover.name = robot.getObject().getName();
         mover.radius = JsonNumbers.rounded(robot.getHardware().getBodyRadius(), FINE);
         mover.drives = robot.getHardware().getWheelRadius() > 0;
-        mover.turns = robot.getHardware().getWheelBase() > 0;
+        mover.turns = robot.getHardware().getTrack() > 0;
         mover.steered = SteeringKeys.of(robot.getObject());
         mover.path = new ArrayList<>(paths.get(mover.name));
         mover.parts = visibleParts(world, robot);

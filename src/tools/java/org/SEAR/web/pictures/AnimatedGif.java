@@ -3,7 +3,6 @@ package org.SEAR.web.pictures;
 
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
-import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,13 +17,12 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 
-/** Animated GIF in an endless loop with 255 colours. Each frame stores only the changed pixels. One thread. */
+/** Animated GIF in an endless loop. Java chooses the colours of a frame, which stores changed pixels. One thread. */
 final class AnimatedGif {
     private static final String SCREEN = "javax_imageio_gif_stream_1.0";
     private static final String FORMAT = "javax_imageio_gif_image_1.0";
     /** Loop count for an endless loop in browsers. */
     private static final byte[] FOR_EVER = {1, 0, 0};
-    private static final int STAYS = 255;
 
     private final List<int[]> pictures = new ArrayList<>();
     private final List<Integer> hundredths = new ArrayList<>();
@@ -49,17 +47,13 @@ final class AnimatedGif {
     }
 
     void write(Path file) throws IOException {
-        GifColors colors = new GifColors(pictures, STAYS);
         ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
         Files.deleteIfExists(file);
         try (ImageOutputStream out = ImageIO.createImageOutputStream(file.toFile())) {
             writer.setOutput(out);
-            writer.prepareWriteSequence(screen(writer, colors.model()));
-            byte[] before = null;
+            writer.prepareWriteSequence(screen(writer));
             for (int i = 0; i < pictures.size(); i++) {
-                byte[] now = colors.of(pictures.get(i));
-                writeChange(writer, colors.model(), before, now, hundredths.get(i));
-                before = now;
+                writeChange(writer, i == 0 ? null : pictures.get(i - 1), pictures.get(i), hundredths.get(i));
             }
             writer.endWriteSequence();
         } finally {
@@ -67,53 +61,34 @@ final class AnimatedGif {
         }
     }
 
-    /** Returns size and colours of all pictures. */
-    private IIOMetadata screen(ImageWriter writer, IndexColorModel model) throws IOException {
-        IIOMetadataNode root = new IIOMetadataNode(SCREEN);
-        child(root, "Version").setAttribute("value", "89a");
+    /** Returns the size of all pictures. */
+    private IIOMetadata screen(ImageWriter writer) throws IOException {
+        IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
+        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(SCREEN);
         IIOMetadataNode size = child(root, "LogicalScreenDescriptor");
         size.setAttribute("logicalScreenWidth", Integer.toString(width));
         size.setAttribute("logicalScreenHeight", Integer.toString(height));
-        size.setAttribute("colorResolution", "8");
-        size.setAttribute("pixelAspectRatio", "0");
-        IIOMetadataNode colors = child(root, "GlobalColorTable");
-        colors.setAttribute("sizeOfGlobalColorTable", Integer.toString(model.getMapSize()));
-        colors.setAttribute("backgroundColorIndex", "0");
-        colors.setAttribute("sortFlag", "FALSE");
-        for (int i = 0; i < model.getMapSize(); i++) {
-            IIOMetadataNode color = new IIOMetadataNode("ColorTableEntry");
-            color.setAttribute("index", Integer.toString(i));
-            color.setAttribute("red", Integer.toString(model.getRed(i)));
-            color.setAttribute("green", Integer.toString(model.getGreen(i)));
-            color.setAttribute("blue", Integer.toString(model.getBlue(i)));
-            colors.appendChild(color);
-        }
-        IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
         metadata.setFromTree(SCREEN, root);
         return metadata;
     }
 
-    private void writeChange(ImageWriter writer, IndexColorModel model, byte[] before, byte[] now, int time)
-        throws IOException {
+    private void writeChange(ImageWriter writer, int[] before, int[] now, int time) throws IOException {
         Rectangle part = changed(before, now);
-        BufferedImage image = new BufferedImage(part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, model);
+        BufferedImage image = new BufferedImage(part.width, part.height, BufferedImage.TYPE_INT_ARGB);
         for (int y = 0; y < part.height; y++) {
             for (int x = 0; x < part.width; x++) {
                 int at = (part.y + y) * width + part.x + x;
-                image.getRaster().setSample(x, y, 0, before != null && before[at] == now[at] ? STAYS : now[at] & 0xff);
+                image.setRGB(x, y, before != null && before[at] == now[at] ? 0 : now[at]);
             }
         }
         IIOMetadata metadata = writer.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(image), null);
         IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
-        root.removeChild(child(root, "LocalColorTable"));
         IIOMetadataNode descriptor = child(root, "ImageDescriptor");
         descriptor.setAttribute("imageLeftPosition", Integer.toString(part.x));
         descriptor.setAttribute("imageTopPosition", Integer.toString(part.y));
         IIOMetadataNode control = child(root, "GraphicControlExtension");
         control.setAttribute("disposalMethod", "doNotDispose");
         control.setAttribute("delayTime", Integer.toString(time));
-        control.setAttribute("transparentColorFlag", "TRUE");
-        control.setAttribute("transparentColorIndex", Integer.toString(STAYS));
         IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
         loop.setAttribute("applicationID", "NETSCAPE");
         loop.setAttribute("authenticationCode", "2.0");
@@ -135,7 +110,7 @@ final class AnimatedGif {
     }
 
     /** Returns the bounds of all differing pixels; a single pixel if none differs. */
-    private Rectangle changed(byte[] before, byte[] now) {
+    private Rectangle changed(int[] before, int[] now) {
         if (before == null) {
             return new Rectangle(width, height);
         }

@@ -70,10 +70,8 @@ public final class Digests {
     /** Fails unless the digest of an example equals the listed one. */
     public static void assertSame(String name, String digest) throws IOException {
         String listed = Files.readAllLines(FILE).stream().filter(line -> line.startsWith(name + " "))
-            .map(line -> line.split(" +")[1])
-            .findFirst().orElse("not there");
+            .map(line -> line.split(" +")[1]).findFirst().orElse("not there");
         assertEquals("what " + name + " gives, in " + FILE + ": bytes of a port or readings of a sensor are others. If "
-            + "that is meant, write it there",
-            listed, digest);
+            + "that is meant, write it there", listed, digest);
     }
 }

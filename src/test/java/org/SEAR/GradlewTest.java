@@ -47,8 +47,7 @@ public class GradlewTest {
         program("sleep", "echo slept $1 >>" + calls);
         program("gradle", "echo gradle \"$@\"");
         program("apt-get", "echo apt-get \"$@\" >>" + calls, "[ $(grep -c ^apt-get " + calls + ") -gt " + failing
-            + " ] && exit 0",
-            "echo '" + message + "'", "exit 100");
+            + " ] && exit 0", "echo '" + message + "'", "exit 100");
         ProcessBuilder builder = new ProcessBuilder("/bin/sh", Paths.get(System.getProperty("sear.root", "."))
             .resolve("gradlew").toString(), "help");
         builder.environment().put("PATH", tools.toString());

@@ -27,8 +27,7 @@ import org.junit.Test;
 public class ModulesTest {
     /** Each package with the packages that it may import besides itself. */
     private static final Map<String, Set<String>> ROOMS = Map.of("shared", Set.of(), "world", Set.of("shared"), "scene",
-        Set.of("world", "shared"),
-        "build", Set.of("world", "shared"), "records", Set.of("shared"),
+        Set.of("world", "shared"), "build", Set.of("world", "shared"), "records", Set.of("shared"),
         "run", Set.of("build", "records", "scene", "world", "shared"), "lidar", Set.of("shared"), "gps",
             Set.of("shared"));
     /** Package of third-party modules that the build adds, see {@code gradle/resources.gradle}. */

@@ -26,8 +26,7 @@ import org.junit.Test;
 public class NamesInPagesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final List<String> PAGES = Arrays.asList("CONTRIBUTING.md", "docs/architecture.md", "docs/panels.md",
-        "docs/add-a-sensor.md",
-        "docs/physics.md");
+        "docs/add-a-sensor.md", "docs/physics.md");
     private static final Pattern CODE = Pattern.compile("(?s)```.*?```|`([^`]+)`");
     /** Optional packages, a class, optional members. */
     private static final Pattern NAME =

@@ -29,8 +29,7 @@ public class NeedsTest {
 
     static {
         List.of("drivers", "johnnyFive", "rasterio", "pyproj", "opencv", "python3", "numpy1", "gymnasium",
-            "sweep", "jupyter")
-            .forEach(fetched -> TASKS.put(fetched, fetched));
+            "sweep", "jupyter").forEach(fetched -> TASKS.put(fetched, fetched));
     }
 
     @Test

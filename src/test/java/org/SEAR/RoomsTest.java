@@ -31,41 +31,34 @@ public class RoomsTest {
     /** Every package, top to bottom. */
     private static final List<String> ROOMS = Arrays.asList(
         "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.lidar.requests",
-        "org.myrobotlab.service.gps",
-        "org.myrobotlab.service.meta",
+        "org.myrobotlab.service.gps", "org.myrobotlab.service.meta",
         "org.myrobotlab.service.config",
         "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.records",
-        "org.myrobotlab.service.sear.netcam",
-        "org.myrobotlab.service.sear.python3",
+        "org.myrobotlab.service.sear.netcam", "org.myrobotlab.service.sear.python3",
         "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
         "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",
         "org.myrobotlab.service.sear.tcp", "org.myrobotlab.service.sear", "org.myrobotlab.service.link",
         "org.myrobotlab.serial",
         "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain",
-        "org.SEAR.view.process",
-        "org.SEAR.view.link", "org.SEAR.view.platform",
+        "org.SEAR.view.process", "org.SEAR.view.link", "org.SEAR.view.platform",
         "org.SEAR.lessons", "org.SEAR.learning", "org.SEAR.plan", "org.SEAR.scene",
         "org.SEAR.record", "org.SEAR.simulator", "org.SEAR.simulator.orders", "org.SEAR.robot", "org.SEAR.robot.wheel",
-        "org.SEAR.robot.servo",
-        "org.SEAR.robot.surface",
+        "org.SEAR.robot.servo", "org.SEAR.robot.surface",
         "org.SEAR.physics.start", "org.SEAR.physics", "org.SEAR.physics.joint", "org.SEAR.physics.solid",
         "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.scip",
         "org.SEAR.devices.rplidar",
         "org.SEAR.devices.gps", "org.SEAR.devices.imu", "org.SEAR.devices.arduino", "org.SEAR.devices",
         "org.SEAR.sensors", "org.SEAR.camera", "org.SEAR.camera.image", "org.SEAR.raycast", "org.SEAR.raycast.solid",
-        "org.SEAR.raycast.tree",
-        "org.SEAR.collision",
+        "org.SEAR.raycast.tree", "org.SEAR.collision",
         "org.SEAR.project.bundle", "org.SEAR.project.edit", "org.SEAR.project.script", "org.SEAR.project",
-        "org.SEAR.project.wiring",
-        "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.models.format",
+        "org.SEAR.project.wiring", "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.models.format",
         "org.SEAR.project.problems",
         "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff", "org.SEAR.terrain.relief",
         "org.SEAR.plot", "org.SEAR.files",
         "org.SEAR.parallel", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip",
         "org.SEAR.protocol.rplidar",
         "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea",
-        "org.SEAR.protocol.ubx",
-        "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
+        "org.SEAR.protocol.ubx", "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
     private static final List<String> THREADS = Arrays.asList("EngineThread.java", "WorkerPool.java");
@@ -224,8 +217,7 @@ public class RoomsTest {
     /** Returns the listed package that contains a class or member, or an empty text. */
     private static String room(String name) {
         return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + "."))
-            .max(Comparator.comparingInt(String::length))
-            .orElse("");
+            .max(Comparator.comparingInt(String::length)).orElse("");
     }
 
     /** Returns whether a class is MyRobotLab's own; MyRobotLab shares two package names with the plug-in. */

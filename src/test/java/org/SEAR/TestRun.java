@@ -51,7 +51,6 @@ public final class TestRun {
         int failed = result.getFailureCount();
         int skipped = result.getIgnoreCount() + result.getAssumptionFailureCount();
         return Math.max(0, result.getRunCount() - failed - result.getAssumptionFailureCount()) + " passed, " + failed
-            + " failed, " + skipped
-            + " skipped";
+            + " failed, " + skipped + " skipped";
     }
 }

@@ -47,20 +47,17 @@ final class ModemLines implements AutoCloseable {
         Process process;
         try {
             process = new ProcessBuilder(compiler, "-shared", "-fPIC", "-O1", "-o", library.toString(),
-                folder.resolve(SOURCE).toString(), "-ldl")
-                .redirectErrorStream(true).start();
+                folder.resolve(SOURCE).toString(), "-ldl").redirectErrorStream(true).start();
         } catch (IOException e) {
             throw new IOException("there is no C compiler (" + compiler + "), which modem-lines needs. On Debian "
-                + "and Ubuntu: "
-                + "sudo apt-get install gcc libc6-dev. "
+                + "and Ubuntu: sudo apt-get install gcc libc6-dev. "
                 + "Programs that take addresses can use sear.exportRfc2217 and rfc2217://localhost:PORT instead", e);
         }
         process.getOutputStream().close();
         String said = new String(process.getInputStream().readAllBytes(), Charset.defaultCharset()).trim();
         if (process.waitFor() != 0) {
             throw new IOException("the C compiler (" + compiler + ") could not compile modem-lines; on Debian and "
-                + "Ubuntu it needs "
-                + "libc6-dev. Its output: " + said);
+                + "Ubuntu it needs libc6-dev. Its output: " + said);
         }
     }
 

@@ -39,50 +39,41 @@ import picocli.CommandLine;
         LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
         ContestCommand.class, AutoComplete.GenerateCompletion.class, HelpCommand.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR, or opens a project in the tabs and "
-        + "in a browser."
-        + " A script's project is the folder SEARproject in the working folder.",
+        + "in a browser. A script's project is the folder SEARproject in the working folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises an error, 2 for an invalid command.")
 public final class SearCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script in Python 2.7"
         + " (Jython, as in MyRobotLab); or a bundle (.sear) or folder to open in the tabs. Examples are found from any "
-        + "folder. Without it the tabs"
-        + " show the working folder's project.")
+        + "folder. Without it the tabs show the working folder's project.")
     private Path script;
     @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "Arguments of the script, in "
-        + "sys.argv. Put -- before the"
-        + " first one if any looks like an option or a command.")
+        + "sys.argv. Put -- before the first one if any looks like an option or a command.")
     private List<String> arguments = List.of();
     @Option(names = "--headless", description = "Open no window.")
     private boolean headless;
     @Option(names = "--speed", paramLabel = "FACTOR|max", description = "Simulated seconds per second; max: as fast as "
-        + "possible, in lock-step with "
-        + "the script and repeatable. Default: 1.")
+        + "possible, in lock-step with the script and repeatable. Default: 1.")
     private String speed;
     @Option(names = "--seed", paramLabel = "N", description = "Seed of the sensors' random numbers, a whole number.")
     private Long seed;
     @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, read by "
-        + "sear.getParameter(\"NAME\", default)."
-        + " May be given several times.")
+        + "sear.getParameter(\"NAME\", default). May be given several times.")
     private List<String> parameters = List.of();
     @Option(names = "--threads", paramLabel = "N", description = "Threads for sensors and cameras, 1 to 256; does not "
-        + "change the readings. "
-        + "Default: the number of processors.")
+        + "change the readings. Default: the number of processors.")
     private String threads;
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the "
-        + "browser: http://localhost:N. "
-        + "Default: ${DEFAULT-VALUE}.")
+        + "browser: http://localhost:N. Default: ${DEFAULT-VALUE}.")
     private String port;
     @Mixin
     private ServerOptions server = new ServerOptions();
     @Option(names = "--record", paramLabel = "FILE", description = "Record the script's simulations to this file, in "
-        + "addition to the script's own "
-        + "recordings. The file keeps the last simulation.")
+        + "addition to the script's own recordings. The file keeps the last simulation.")
     private String record;
     @Option(names = "--until", paramLabel = "SECONDS", description = "End the script after this simulated time.")
     private Double until;
     @Option(names = "--python3", description = "Run the script with python3 and the package sear. Scripts whose first "
-        + "line is #!/usr/bin/env python3 "
-        + "need no option.")
+        + "line is #!/usr/bin/env python3 need no option.")
     private boolean python3;
     @Option(names = "--keep", description = "Keep running after the script's end, until Ctrl+C or Runtime.shutdown().")
     private boolean keep;
@@ -135,8 +126,7 @@ public final class SearCommand implements Callable<Integer> {
         if (script != null && !Files.exists(script) && !ExampleBundles.isMeant(script)) {
             String meant = NearestName.of(script.toString(), spec.subcommands().keySet());
             err.println("sear: " + script + " can't be read: there is no such file. "
-                + (meant.isEmpty() ? "" : "If it is a command, " + meant + " ")
-                + "Try sear --help.");
+                + (meant.isEmpty() ? "" : "If it is a command, " + meant + " ") + "Try sear --help.");
             return CommandLine.ExitCode.USAGE;
         }
         if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {
@@ -154,8 +144,7 @@ public final class SearCommand implements Callable<Integer> {
         int end = parameter.indexOf('=');
         if (end < 0 || !RunParameters.isLegal(parameter.substring(0, end))) {
             throw new ParameterException(spec.commandLine(), "--set is \"" + parameter
-                + "\", legal: NAME=VALUE, with a name of "
-                + RunParameters.LEGAL_NAME);
+                + "\", legal: NAME=VALUE, with a name of " + RunParameters.LEGAL_NAME);
         }
         System.setProperty(RunParameters.PROPERTY + parameter.substring(0, end), parameter.substring(end + 1));
     }
@@ -164,8 +153,7 @@ public final class SearCommand implements Callable<Integer> {
         if (!speed.equals("max") && !(speed.matches("[0-9]*\\.?[0-9]+")
             && Double.parseDouble(speed) >= SimulationRunner.SLOWEST)) {
             throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number of "
-                + SimulationRunner.SLOWEST
-                + " or more, or max");
+                + SimulationRunner.SLOWEST + " or more, or max");
         }
         return speed;
     }

@@ -18,8 +18,7 @@ final class ServerOptions {
             + "computer only.")
     private String host;
     @Option(names = "--url", paramLabel = "URL", description = "Address of the tabs for browsers, if not this "
-        + "computer's address and port: "
-        + "https://HOST behind a proxy, http://HOST:PORT from a container.")
+        + "computer's address and port: https://HOST behind a proxy, http://HOST:PORT from a container.")
     private String url;
     @Option(names = "--token", description = "Require a token from the tabs and from programs that call services. SEAR "
         + "prints it with the address "

@@ -74,11 +74,9 @@ public final class BeamWorld {
         for (int i = 4; i < boxes.length; i++) {
             double half = side / 2 - 0.5;
             Pose turned = Pose.ofDegrees(between(-half, half), BEAM_HEIGHT, between(-half, half), between(-180, 180),
-                between(-180, 180),
-                between(-180, 180));
+                between(-180, 180), between(-180, 180));
             boxes[i] = new double[] {between(0.125, 0.5), between(0.125, 0.5), between(0.125, 0.5), turned.x, turned.y,
-                turned.z, turned.qx,
-                turned.qy, turned.qz, turned.qw};
+                turned.z, turned.qx, turned.qy, turned.qz, turned.qw};
         }
     }
 

@@ -28,8 +28,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(1)
 public class Beams {
     @Param({"room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000",
-        "hills-10000", "hills-110000",
-        "hills-1000000"})
+        "hills-10000", "hills-110000", "hills-1000000"})
     public String world;
 
     private BeamWorld beams;
@@ -70,8 +69,7 @@ public class Beams {
         int at = advance();
         for (int i = 0; i < BeamWorld.BEAMS; i++) {
             ranges[i] = scene.cast(pose.x, pose.y, pose.z, directions[at], directions[at + 1], directions[at + 2],
-                BeamWorld.RANGE,
-                BeamScene.WORLD, null);
+                BeamWorld.RANGE, BeamScene.WORLD, null);
             at += 3;
         }
         return ranges;

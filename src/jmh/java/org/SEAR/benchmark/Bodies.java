@@ -53,8 +53,7 @@ public final class Bodies {
             all += took;
         }
         Files.writeString(into, String.format(Locale.ROOT, "{\"cpu\": %s, \"before\": %s, \"after\": %s}%n", took,
-            Arrays.deepToString(before),
-            Arrays.deepToString(world.poses())));
+            Arrays.deepToString(before), Arrays.deepToString(world.poses())));
     }
 
     /** Returns the processor time of this thread, seconds. */

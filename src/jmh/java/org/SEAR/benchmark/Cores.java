@@ -192,8 +192,7 @@ public final class Cores {
         private static void robot(String name, double x, double z, int lidars, boolean noise) {
             SEARrobot robot = new SEARrobot(name);
             robot.addComponent(new Dynamics(name + "Dynamics", 40, 60, 0.3, 0.4, 10000, 0.1, x - StepWorld.CIRCLE,
-                StepWorld.START_HEIGHT, z, 0, 0,
-                0));
+                StepWorld.START_HEIGHT, z, 0, 0, 0));
             robot.addComponent(new Cylinder(name + "Body", 0.1666875, 0.0762, 40));
             robot.addWheel(new Wheel(name + "Front", 0.0381, 0.03, 0, 0, 0, 0.16));
             robot.addWheel(new Wheel(name + "Right", 0.0381, 0.03, 1, -0.16, 0, 0));
@@ -201,8 +200,7 @@ public final class Cores {
             robot.addWheel(new Wheel(name + "Back", 0.0381, 0.03, 0, 0, 0, -0.16));
             for (int i = 0; i < lidars; i++) {
                 LIDAR lidar = new LIDAR(name + "Lidar" + i, StepWorld.RANGE, 180, 0.5, 0, StepWorld.LIDAR_HEIGHT
-                    + i * StepWorld.LIDAR_PITCH, 0, 0,
-                    360.0 * i / lidars, 0);
+                    + i * StepWorld.LIDAR_PITCH, 0, 0, 360.0 * i / lidars, 0);
                 if (noise) {
                     lidar.setNoise(new Noise().setWhite(0.01));
                 }

@@ -31,8 +31,7 @@ public final class CpuShare implements InternalProfiler {
     private static long processTime() {
         OperatingSystemMXBean system = ManagementFactory.getOperatingSystemMXBean();
         return system instanceof com.sun.management.OperatingSystemMXBean
-            ? ((com.sun.management.OperatingSystemMXBean) system).getProcessCpuTime()
-            : 0;
+            ? ((com.sun.management.OperatingSystemMXBean) system).getProcessCpuTime() : 0;
     }
 
     @Override

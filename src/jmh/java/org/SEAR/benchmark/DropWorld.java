@@ -38,8 +38,7 @@ public final class DropWorld implements AutoCloseable {
             double x = (i / row - (row - 1) / 2.0) * APART;
             double z = (i % row - (row - 1) / 2.0) * APART;
             boxes[i] = new double[] {size(random), size(random), size(random), x, 0.8 + 0.7 * random.nextDouble(), z,
-                360 * random.nextDouble(),
-                360 * random.nextDouble(), 360 * random.nextDouble()};
+                360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble()};
         }
         project = new BenchmarkProject(null, () -> {
             new Floor("floor", side, side);

@@ -102,8 +102,7 @@ final class PictureWorld {
         double down = 2 * Math.toDegrees(Math.atan(Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)) * HEIGHT / WIDTH));
         Files.writeString(file, String.format(Locale.ROOT,
             "{\"width\": %d, \"height\": %d, \"fovy\": %s, \"sun\": %s,\n\"poses\": %s,\n\"things\": [%s]}%n", WIDTH,
-            HEIGHT, down,
-            Arrays.toString(Daylight.toSun()), Arrays.deepToString(poses), String.join(",\n", things)));
+            HEIGHT, down, Arrays.toString(Daylight.toSun()), Arrays.deepToString(poses), String.join(",\n", things)));
     }
 
     private static double[] numbers(Pose pose) {
@@ -141,8 +140,7 @@ final class PictureWorld {
             Pose middle = pose.times(new Pose((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2,
                 0, 0, 0, 1));
             return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s%s}", box ? "box"
-                : "cylinder", Arrays.toString(half),
-                Arrays.toString(numbers(middle)), picture(shape, folder));
+                : "cylinder", Arrays.toString(half), Arrays.toString(numbers(middle)), picture(shape, folder));
         }
         return String.format(Locale.ROOT, "{\"kind\": \"mesh\", \"pose\": %s, \"vertices\": %s, \"indices\": %s}",
             Arrays.toString(numbers(pose)), Arrays.toString(at), Arrays.toString(surface.getIndices()));

@@ -42,8 +42,7 @@ final class Room {
                 z = (random.nextDouble() - 0.5) * (side - 1);
             } while (Math.hypot(x, z) < CLEAR);
             boxes[i] = new double[] {size(random), size(random), size(random), x, 0.5, z, 360 * random.nextDouble(),
-                360 * random.nextDouble(),
-                360 * random.nextDouble()};
+                360 * random.nextDouble(), 360 * random.nextDouble()};
         }
     }
 

@@ -29,8 +29,7 @@ public class Steps {
 
     @Param({"drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "all-room-20", "all-room-1000",
         "camera-room-20", "blind-room-20", "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000", "lidar-hall-9900",
-        "lidars2-room-20",
-        "lidars4-room-20", "lidars8-room-20"})
+        "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"})
     public String world;
 
     private StepWorld steps;

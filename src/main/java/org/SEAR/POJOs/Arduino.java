@@ -76,8 +76,7 @@ public class Arduino extends SearObject implements SerialObject {
                     WireRules.legal(getModel(), good, wire.getRole()));
             } else if (same != null) {
                 faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of "
-                    + wire.getPart() + ", which is at pin "
-                    + same.getPin());
+                    + wire.getPart() + ", which is at pin " + same.getPin());
             } else {
                 good.add(wire);
             }
@@ -208,8 +207,7 @@ public class Arduino extends SearObject implements SerialObject {
         List<WireRole> roles = ((Wirable) part).getWireRoles();
         if (role != null && wanted == null) {
             throw new IllegalArgumentException(label() + ": role is " + ParameterTable.quote(role) + ", legal for "
-                + part + ": "
-                + WireRules.words(roles));
+                + part + ": " + WireRules.words(roles));
         }
         add(pin, part, wanted == null ? roles.get(0) : wanted);
     }

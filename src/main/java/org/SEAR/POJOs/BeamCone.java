@@ -98,8 +98,7 @@ public class BeamCone {
             }
         }
         throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range "
-            + "in metres, colour,"
-            + " lines, yaw, pitch]; all but the first two are optional");
+            + "in metres, colour, lines, yaw, pitch]; all but the first two are optional");
     }
 
     private static int whole(double number) {

@@ -40,8 +40,7 @@ public class Bumper extends SensorObject implements Wirable {
         }
         if (robot() != null && wanted.robot() != null && robot() != wanted.robot()) {
             throw new IllegalArgumentException(label() + ": " + wanted.label() + " is a part of " + wanted.robot()
-                .label() + ", legal: a part of "
-                + robot().label());
+                .label() + ", legal: a part of " + robot().label());
         }
         return wanted.getName();
     }

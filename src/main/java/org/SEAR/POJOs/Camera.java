@@ -164,8 +164,7 @@ public class Camera extends SensorObject {
         int checkedHeight = checked("height", newHeight);
         if ((long) checkedWidth * checkedHeight > MAX_PIXELS) {
             throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are "
-                + (long) newWidth * newHeight
-                + " pixels, legal: at most " + MAX_PIXELS + " (1920 x 1080)");
+                + (long) newWidth * newHeight + " pixels, legal: at most " + MAX_PIXELS + " (1920 x 1080)");
         }
         int oldWidth = width;
         int oldHeight = height;
@@ -219,8 +218,7 @@ public class Camera extends SensorObject {
         double checkedFar = checked("far", newFar);
         if (checkedNear >= checkedFar) {
             throw new IllegalArgumentException(label() + ": near is " + Parameter.format(newNear)
-                + ", legal: less than far, "
-                + Parameter.format(newFar) + " m");
+                + ", legal: less than far, " + Parameter.format(newFar) + " m");
         }
         near = checkedNear;
         far = checkedFar;

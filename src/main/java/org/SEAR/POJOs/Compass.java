@@ -81,8 +81,7 @@ public class Compass extends SensorObject implements SerialObject {
     public void setNorth(double newNorthX, double newNorthY, double newNorthZ) {
         if (newNorthX == 0 && newNorthZ == 0) {
             throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(newNorthY)
-                + ", 0), legal: a point that isn't straight"
-                + " above or below the origin");
+                + ", 0), legal: a point that isn't straight above or below the origin");
         }
         double checkedX = checked("northX", newNorthX);
         double checkedY = checked("northY", newNorthY);

@@ -57,8 +57,7 @@ public final class DriveErrors {
 
     /** With all parameters. */
     public DriveErrors(double radius, double difference, double track, double encoderNoise, double missed,
-        double steeringPlay,
-            double steeringDelay, double understeer) {
+        double steeringPlay, double steeringDelay, double understeer) {
         this.radius = checked("radius", radius);
         this.difference = checked("difference", difference);
         this.track = checked("track", track);

@@ -10,8 +10,7 @@ import org.SEAR.grammar.Param;
  * robot's.
  */
 @Described("mass, suspension and start pose of a robot, relative to the robot's own pose, and its serial port for the "
-    + "Roomba protocol. SEAR sets an"
-    + " upside-down start pose upright and turns it by 180 degrees, with a warning")
+    + "Roomba protocol. SEAR sets an upside-down start pose upright and turns it by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
     private static final double COMPRESSION = 0.3;
     private static final double DAMPING = 0.4;
@@ -73,15 +72,13 @@ public class Dynamics extends SearObject implements SerialObject {
      * @param restLength metres
      */
     public Dynamics(String name, double mass, double stiffness, double compression, double damping,
-        double maxSuspensionForce,
-            double restLength, double x, double y, double z, double rx, double ry, double rz) {
+        double maxSuspensionForce, double restLength, double x, double y, double z, double rx, double ry, double rz) {
         this(name, mass, Double.valueOf(stiffness), compression, damping, maxSuspensionForce,
             Double.valueOf(restLength), x, y, z, rx, ry, rz);
     }
 
     private Dynamics(String name, double mass, Double stiffness, double compression, double damping,
-        double maxSuspensionForce,
-            Double restLength, double x, double y, double z, double rx, double ry, double rz) {
+        double maxSuspensionForce, Double restLength, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.mass = mass;
         this.stiffness = stiffness;

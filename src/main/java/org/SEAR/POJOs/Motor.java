@@ -16,8 +16,7 @@ import org.SEAR.protocol.arduino.WireRole;
  * SEAR service of the simulation commands the motor.
  */
 @Described("an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / "
-    + "noLoadSpeed); the wheels share the"
-    + " torque, each at its own speed")
+    + "noLoadSpeed); the wheels share the torque, each at its own speed")
 public class Motor extends SearObject implements Wirable {
     private static final int MAX_WHEELS = 100;
     private static final double STALL_TORQUE = 0.5;
@@ -89,8 +88,7 @@ public class Motor extends SearObject implements Wirable {
     @Override
     public List<WireRole> getWireRoles() {
         return encoderCounts > 0 ? List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION, WireRole.ENCODER_A,
-            WireRole.ENCODER_B)
-            : List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION);
+            WireRole.ENCODER_B) : List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION);
     }
 
     @Override
@@ -111,13 +109,11 @@ public class Motor extends SearObject implements Wirable {
         SearObject other = wheel.getMover();
         if (other != null && !other.getName().equals(getName())) {
             throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label()
-                + ", legal: one motor per wheel;"
-                + " motor.addWheel(wheel) gives a motor several wheels");
+                + ", legal: one motor per wheel; motor.addWheel(wheel) gives a motor several wheels");
         }
         if (robot() != null && wheel.robot() != null && robot() != wheel.robot()) {
             throw new IllegalArgumentException(label() + ": " + wheel.label() + " is a wheel of " + wheel.robot()
-                .label() + ", legal: a wheel of "
-                + robot().label());
+                .label() + ", legal: a wheel of " + robot().label());
         }
     }
 

@@ -50,8 +50,7 @@ public class Noise {
         Parameter parameter = ParameterTable.of(Noise.class).get(element);
         if (!parameter.isLegal(value)) {
             throw new IllegalArgumentException("Noise" + (owner == null ? "" : " of " + owner.label()) + ": "
-                + element + " is "
-                + Parameter.format(value) + ", legal: " + parameter.legal());
+                + element + " is " + Parameter.format(value) + ", legal: " + parameter.legal());
         }
         return value + 0.0;
     }

@@ -29,8 +29,7 @@ final class Notices {
         }
         if (ScriptSessions.ALL.script().isAgain(name, taken)) {
             say(label + " has the name of an object that this script has made already, and replaces its file: a name "
-                + "means one object of the"
-                + " project");
+                + "means one object of the project");
         }
     }
 
@@ -44,8 +43,7 @@ final class Notices {
     static void changed(String label, String what, String instead, int madeAfter) {
         if (ScriptSessions.ALL.actsFor(madeAfter) != null) {
             say(label + " was " + what + " while a simulation runs: the change is in its file and takes "
-                + "effect at the next"
-                + " startSimulation()" + instead);
+                + "effect at the next startSimulation()" + instead);
         }
     }
 
@@ -61,8 +59,7 @@ final class Notices {
         String named = others.stream().limit(NAMED).map(name -> '"' + name + '"').collect(Collectors.joining(", "));
         String more = others.size() > NAMED ? " and " + (others.size() - NAMED) + " more" : "";
         return "in the project, but not made by this script: " + named + more
-            + " (from an earlier run or another script;"
-            + " call sear.newProject() first to start with an empty project)";
+            + " (from an earlier run or another script; call sear.newProject() first to start with an empty project)";
     }
 
     static void say(String text) {

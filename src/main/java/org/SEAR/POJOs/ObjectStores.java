@@ -9,8 +9,7 @@ import java.util.function.Supplier;
 /** The object store of the program, or the draft store of the calling thread. */
 final class ObjectStores {
     private static final ObjectStore STORE = ServiceLoader.load(ObjectStore.class, ObjectStore.class.getClassLoader())
-        .findFirst()
-        .orElseThrow(() -> new IllegalStateException(
+        .findFirst().orElseThrow(() -> new IllegalStateException(
             "no org.SEAR.POJOs.ObjectStore on the class path: sear.jar is incomplete"));
 
     /** Store that replaces the program's for the objects of a thread. */

@@ -92,8 +92,7 @@ public abstract class PlacedObject extends SearObject {
     private void checkNoPart() {
         if (robot() != null) {
             throw new IllegalArgumentException(label() + " is a part of " + robot().label()
-                + " and can't be placed on the ground: its move(x, y, z)"
-                + " is relative to the robot; place the robot");
+                + " and can't be placed on the ground: its move(x, y, z) is relative to the robot; place the robot");
         }
     }
 
@@ -139,8 +138,7 @@ public abstract class PlacedObject extends SearObject {
     protected void crossCheck(Faults faults) {
         if (placeLatitude == null != (placeLongitude == null)) {
             faults.add(placeLatitude == null ? LONGITUDE : LATITUDE, placeLatitude == null ? placeLongitude
-                : placeLatitude,
-                "both " + LATITUDE + " and " + LONGITUDE + ", or neither");
+                : placeLatitude, "both " + LATITUDE + " and " + LONGITUDE + ", or neither");
         }
     }
 }

@@ -18,8 +18,7 @@ final class PlainRobots {
     private static SEARrobot make(String name, double mass, double radius) {
         SEARrobot robot = new SEARrobot(name);
         robot.addComponent(new Dynamics(ObjectStores.partName(robot, "drive"), mass, STIFFNESS, COMPRESSION, DAMPING,
-            MAX_FORCE, REST_LENGTH, 0,
-            radius + HANGING, 0, 0, 0, 0));
+            MAX_FORCE, REST_LENGTH, 0, radius + HANGING, 0, 0, 0, 0));
         return robot;
     }
 

@@ -142,8 +142,7 @@ public class SEARrobot extends PlacedObject {
         }
         if (components.size() >= MAX_COMPONENTS) {
             throw new IllegalArgumentException(label() + ": component is " + component.label() + ", legal: at most "
-                + MAX_COMPONENTS
-                + " components");
+                + MAX_COMPONENTS + " components");
         }
         adopt(component);
     }
@@ -233,8 +232,7 @@ public class SEARrobot extends PlacedObject {
         SearObject part = components.stream().filter(c -> c.getName().equals(wanted)).findFirst()
             .orElseThrow(() -> new IllegalArgumentException(
             label() + ": component is " + ParameterTable.quote(wanted) + ", legal: " + components.stream()
-            .map(SearObject::getName)
-                .collect(Collectors.joining(", "))));
+            .map(SearObject::getName).collect(Collectors.joining(", "))));
         boolean aside = !part.getFileName().equals(part.getName());
         if (aside == on) {
             return;
@@ -308,8 +306,7 @@ public class SEARrobot extends PlacedObject {
         }
         if (part.robot() != null) {
             throw new IllegalArgumentException(label() + ": " + part.label() + " is already a part of "
-                + part.robot().label()
-                + ", legal: an object that isn't part of a robot");
+                + part.robot().label() + ", legal: an object that isn't part of a robot");
         }
         part.checkChangeable();
         List<String> names = components.stream().map(SearObject::getName).collect(Collectors.toList());
@@ -318,8 +315,7 @@ public class SEARrobot extends PlacedObject {
         for (String taken : names) {
             if (taken.equalsIgnoreCase(part.getName())) {
                 throw new IllegalArgumentException(label() + ": " + part.label() + " has the name of another part, "
-                    + "legal: a name that differs from "
-                    + names + " by more than capitals");
+                    + "legal: a name that differs from " + names + " by more than capitals");
             }
         }
     }
@@ -355,8 +351,7 @@ public class SEARrobot extends PlacedObject {
         return Stream.concat(components.stream(), wheels.stream()).filter(one -> one.getName().equals(wanted))
             .findFirst()
             .orElseThrow(() -> new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(wanted)
-                + ", legal: "
-                + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName)
+                + ", legal: " + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName)
                     .collect(Collectors.joining(", "))));
     }
 

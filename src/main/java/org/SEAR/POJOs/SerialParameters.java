@@ -58,8 +58,7 @@ public final class SerialParameters {
         } else if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty()
             || uart.equals(user)) {
             throw new IllegalArgumentException(owner.label() + ": ports are " + ParameterTable.quote(uart) + " and "
-                + ParameterTable.quote(user)
-                + ", legal: two different names");
+                + ParameterTable.quote(user) + ", legal: two different names");
         } else {
             owner.checked("uartPort", uart);
             owner.checked("userPort", user);

@@ -393,8 +393,7 @@ public abstract class Shape extends PlacedObject {
     @Override
     String whyNoComponent() {
         return isLaunched() ? " has a velocity or a spin, which a component can't have, legal: setVelocity(0, 0, 0) "
-            + "and setSpin(0, 0, 0) before"
-            : super.whyNoComponent();
+            + "and setSpin(0, 0, 0) before" : super.whyNoComponent();
     }
 
     @Override

@@ -182,8 +182,7 @@ public class Terrain extends Shape {
         double checkedEastWest = checked("eastWest", newEastWest);
         if (lowest != null) {
             throw new IllegalArgumentException(label() + ": setSize was called for a map without georeference, which "
-                + "has no area by latitude and"
-                + " longitude, legal: setArea or setSize");
+                + "has no area by latitude and longitude, legal: setArea or setSize");
         }
         latitude = checkedLatitude;
         longitude = checkedLongitude;
@@ -207,13 +206,11 @@ public class Terrain extends Shape {
         double checkedHighest = checked("highest", newHighest);
         if (!(checkedLowest < checkedHighest)) {
             throw new IllegalArgumentException(label() + ": lowest is " + Parameter.format(checkedLowest)
-                + ", legal: below highest, "
-                + Parameter.format(checkedHighest) + " m");
+                + ", legal: below highest, " + Parameter.format(checkedHighest) + " m");
         }
         if (latitude != null) {
             throw new IllegalArgumentException(label() + ": setArea was called for a map with georeference, which has "
-                + "its own size, legal:"
-                + " setArea or setSize");
+                + "its own size, legal: setArea or setSize");
         }
         northSouth = checkedNorthSouth;
         eastWest = checkedEastWest;

@@ -59,8 +59,7 @@ public final class WireRules {
             return part + " has no wires for the pins of an Arduino, legal: " + KINDS;
         }
         return role == null || ((Wirable) part).getWireRoles().contains(role) ? null : "role is \"" + role.getWord()
-            + "\", legal for " + part + ": "
-            + words(((Wirable) part).getWireRoles());
+            + "\", legal for " + part + ": " + words(((Wirable) part).getWireRoles());
     }
 
     static String words(List<WireRole> roles) {

@@ -19,8 +19,7 @@ public final class MeshAppearance extends Appearance {
      * @param paintOf number of each triangle's paint; null for the first
      */
     public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, short[] paintOf,
-        Paint[] paints, double temperature,
-            boolean casting) {
+        Paint[] paints, double temperature, boolean casting) {
         super(temperature, casting);
         this.mesh = mesh;
         this.scale = scale.clone();

@@ -73,16 +73,14 @@ public final class RoundAppearance extends Appearance {
             paint.look(0, 0, 0, 0, 0, 0, s);
         } else if (cap != 0) {
             paint.look(0.5 + s.x / a / 2, 0.5 - cap * s.z / c / 2, s.rightX / a / 2, -cap * s.rightZ / c / 2,
-                s.downX / a / 2, -cap * s.downZ / c / 2,
-                s);
+                s.downX / a / 2, -cap * s.downZ / c / 2, s);
         } else {
             double x = s.x / a;
             double z = s.z / c;
             double scale = 1 / (2 * Math.PI * Math.max(1e-12, x * x + z * z));
             double turn = StrictMath.atan2(x, z) / (2 * Math.PI);
             paint.look(turn < 0 ? turn + 1 : turn, (s.y + h) / (2 * h), scale * (z * s.rightX / a - x * s.rightZ / c),
-                s.rightY / (2 * h),
-                scale * (z * s.downX / a - x * s.downZ / c), s.downY / (2 * h), s);
+                s.rightY / (2 * h), scale * (z * s.downX / a - x * s.downZ / c), s.downY / (2 * h), s);
         }
     }
 }

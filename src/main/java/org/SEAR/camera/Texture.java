@@ -160,8 +160,7 @@ public final class Texture {
     }
 
     private void addAnywhere(int level, double firstAcross, double firstDown, double stepAcross, double stepDown,
-        int places, double scale,
-            SurfaceHit spot) {
+        int places, double scale, SurfaceHit spot) {
         int width = widths[level];
         int height = heights[level];
         int[] pixels = levels[level];
@@ -204,8 +203,7 @@ public final class Texture {
      * {@link #MAX_PLACES} of those 27.
      */
     private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross,
-        double stepDown, int places,
-            double scale, SurfaceHit spot) {
+        double stepDown, int places, double scale, SurfaceHit spot) {
         // in 256ths of a pixel: their lower bits are the shares of the pixel to the right and of the one below
         double across = firstAcross * ONE;
         double down = firstDown * ONE;

@@ -350,8 +350,7 @@ public final class ConvexHull implements ConvexShape {
             }
         }
         double[] u = {corners[3 * in.get(0)] - middle[0] / in.size(), corners[3 * in.get(0) + 1]
-            - middle[1] / in.size(),
-            corners[3 * in.get(0) + 2] - middle[2] / in.size()};
+            - middle[1] / in.size(), corners[3 * in.get(0) + 2] - middle[2] / in.size()};
         double[] v = {face.ny * u[2] - face.nz * u[1], face.nz * u[0] - face.nx * u[2],
             face.nx * u[1] - face.ny * u[0]};
         double[] angles = new double[corners.length / 3];

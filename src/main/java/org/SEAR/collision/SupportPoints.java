@@ -149,8 +149,7 @@ public final class SupportPoints {
             for (int k = 0; k < size; k++) {
                 double nearest = nearestChosen(members[k], first);
                 if (nearest > furthest || best >= 0 && nearest == furthest
-                    && isLess(points.height(members[k]), members[k],
-                    points.height(best), best)) {
+                    && isLess(points.height(members[k]), members[k], points.height(best), best)) {
                     furthest = nearest;
                     best = members[k];
                 }

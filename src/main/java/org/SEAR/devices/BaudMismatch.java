@@ -69,14 +69,12 @@ final class BaudMismatch {
         if (!reported && strange >= ENOUGH && time > since + TIMEOUT) {
             reported = true;
             return String.format(Locale.ROOT, "%d bytes came that %s does not understand (first: %02X %02X): is it "
-                + "the right port?", strange, device,
-                first[0], first[1]);
+                + "the right port?", strange, device, first[0], first[1]);
         }
         if (!reportedSpeed && understood && garbled >= ENOUGH) {
             reportedSpeed = true;
             return String.format(Locale.ROOT, "%d bytes came at %d baud, but %s is at %d baud now: change the "
-                + "program's rate, too", garbled,
-                garbledAt, device, speed);
+                + "program's rate, too", garbled, garbledAt, device, speed);
         }
         return null;
     }

@@ -49,7 +49,6 @@ public final class LidarSettings {
             baud = model.getBaud();
         }
         return new LidarSettings(model, fan ? lidar.getSpread() : model.getWidestSpread(), fan ? lidar.getResolution()
-            : model.getFinestResolution(),
-            baud);
+            : model.getFinestResolution(), baud);
     }
 }

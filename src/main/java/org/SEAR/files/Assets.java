@@ -41,8 +41,7 @@ public final class Assets {
      */
     public boolean has(String path) {
         return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader()
-            .getResource(SHIPPED + normal(path)) != null
-            || MadePictures.isThere(normal(path));
+            .getResource(SHIPPED + normal(path)) != null || MadePictures.isThere(normal(path));
     }
 
     /**

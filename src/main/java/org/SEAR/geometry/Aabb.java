@@ -111,8 +111,7 @@ public final class Aabb {
     /** Whether both overlap if this one is widened by a margin. */
     public boolean overlaps(Aabb other, double margin) {
         return minX - margin <= other.maxX && other.minX <= maxX + margin && minY - margin <= other.maxY
-            && other.minY <= maxY + margin
-            && minZ - margin <= other.maxZ && other.minZ <= maxZ + margin;
+            && other.minY <= maxY + margin && minZ - margin <= other.maxZ && other.minZ <= maxZ + margin;
     }
 
     /** Whether another box is inside this one. */

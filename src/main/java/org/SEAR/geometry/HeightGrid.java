@@ -24,14 +24,12 @@ public abstract class HeightGrid {
     HeightGrid(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ) {
         if (rows < 2 || columns < 2 || !(spacingX > 0) || !(spacingZ > 0)) {
             throw new IllegalArgumentException("height field: " + rows + " x " + columns + " posts " + spacingX
-                + " and " + spacingZ
-                + " m apart, legal: at least 2 x 2 posts, spacings above 0");
+                + " and " + spacingZ + " m apart, legal: at least 2 x 2 posts, spacings above 0");
         }
         double least = Math.max(closest(lowX, rows, spacingX), closest(lowZ, columns, spacingZ));
         if (!(Math.min(spacingX, spacingZ) >= least)) {
             throw new IllegalArgumentException("height field: posts " + spacingX + " and " + spacingZ
-                + " m apart, legal at this distance: " + least
-                + " m or more");
+                + " m apart, legal at this distance: " + least + " m or more");
         }
         this.rows = rows;
         this.columns = columns;

@@ -81,8 +81,7 @@ public final class HeightSearch {
         int endRow = Math.min((row + 1) * size, field.rows - 1);
         int endColumn = Math.min((column + 1) * size, field.columns - 1);
         if (!(pyramid.data[at] <= highY && pyramid.data[at + 1] >= lowY) || field.x(row * size) > highX
-            || field.x(endRow) < lowX
-            || field.z(column * size) > highZ || field.z(endColumn) < lowZ) {
+            || field.x(endRow) < lowX || field.z(column * size) > highZ || field.z(endColumn) < lowZ) {
             return false;
         }
         if (level > 0) {

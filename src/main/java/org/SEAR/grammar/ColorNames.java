@@ -24,8 +24,7 @@ public final class ColorNames {
             + "fuchsia #ff00ff, green #008000, lime #00ff00, olive #808000, yellow #ffff00, navy #000080, blue "
                 + "#0000ff, teal #008080, aqua #00ffff");
         name("orange #ffa500, brown #a52a2a, pink #ffc0cb, gold #ffd700, beige #f5f5dc, tan #d2b48c, violet #ee82ee, "
-            + "cyan #00ffff, "
-            + "magenta #ff00ff, turquoise #40e0d0");
+            + "cyan #00ffff, magenta #ff00ff, turquoise #40e0d0");
     }
 
     private ColorNames() {

@@ -11,8 +11,7 @@ import java.util.regex.Pattern;
  */
 public final class ExportTarget {
     static final String LEGAL = "the name of a link in the folder SEARports (a file name, no path, for example "
-        + "ttySICK), or tcp:PORT or rfc2217:PORT"
-        + " with PORT from 1024 to 65535";
+        + "ttySICK), or tcp:PORT or rfc2217:PORT with PORT from 1024 to 65535";
     private static final int LOWEST_PORT = 1024;
     private static final int HIGHEST_PORT = 65535;
     private static final Pattern TCP = Pattern.compile("(tcp|rfc2217):([1-9][0-9]{3,4})");

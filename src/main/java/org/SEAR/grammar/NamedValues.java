@@ -36,8 +36,7 @@ public final class NamedValues {
             Parameter parameter = table.get(ScriptText.of(String.valueOf(entry.getKey())));
             if (fixed.test(parameter)) {
                 throw new IllegalArgumentException(label + ": " + parameter.getName()
-                    + " can't be set: an object keeps its name, and"
-                    + " addComponent and addWheel give a robot its parts");
+                    + " can't be set: an object keeps its name, and addComponent and addWheel give a robot its parts");
             }
             Object value = whole(parameter, entry.getValue());
             before.putIfAbsent(parameter, parameter.get(object));

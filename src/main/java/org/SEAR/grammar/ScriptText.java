@@ -46,8 +46,7 @@ public final class ScriptText {
             return ScriptFolder.resolve(Paths.get(of(text)));
         } catch (InvalidPathException e) {
             throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?")
-                + "\", legal: a valid file name"
-                + " on this system (" + e.getReason() + ")", e);
+                + "\", legal: a valid file name on this system (" + e.getReason() + ")", e);
         }
     }
 }

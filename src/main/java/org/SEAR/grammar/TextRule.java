@@ -19,8 +19,7 @@ public enum TextRule {
     },
     /** The name of an object, usable as a file name on every system. */
     NAME("a name of 1 to 100 characters that can be a file name on every system: none of / \\ : * ? \" < > |, no dot "
-        + "or blank at either end,"
-        + " not a device name such as CON") {
+        + "or blank at either end, not a device name such as CON") {
         @Override
         boolean allows(String text) {
             String stem = text.split("\\.", 2)[0].trim().toUpperCase(Locale.ROOT);
@@ -87,8 +86,7 @@ public enum TextRule {
     private static final Pattern EDGES = Pattern.compile("^[.\\s\\p{Z}]|[.\\s\\p{Z}]$");
     private static final Pattern LINE_BREAKS = Pattern.compile("[\\p{Cntrl}\\x{fffe}\\x{ffff}]");
     private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL", "COM1", "COM2", "COM3", "COM4",
-        "COM5", "COM6", "COM7", "COM8",
-        "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
+        "COM5", "COM6", "COM7", "COM8", "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
     private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11", "NEOM8N", "UBLOX");
     private static final Set<String> UBLOX = Set.of("NEOM8N", "UBLOX");
     private static final int MAX_LENGTH = 200;

@@ -97,8 +97,7 @@ final class Controls {
             .filter(part -> part instanceof Motor || part instanceof Servo)
             .map(part -> part.getName() + ", ").collect(Collectors.joining());
         throw new IllegalArgumentException("robot " + robotName() + " has no motor or servo \"" + name
-            + "\" for actions, legal: " + parts
-            + "left and right, speed, steering");
+            + "\" for actions, legal: " + parts + "left and right, speed, steering");
     }
 
     /**

@@ -68,8 +68,7 @@ public final class Episode implements AutoCloseable {
             return robots.get(0);
         } else if (!names.contains(name)) {
             throw new IllegalArgumentException("robot is " + (name.isEmpty() ? "not given" : "\"" + name + "\"")
-                + ", legal: "
-                + String.join(", ", names));
+                + ", legal: " + String.join(", ", names));
         }
         return robots.get(names.indexOf(name));
     }
@@ -147,8 +146,7 @@ public final class Episode implements AutoCloseable {
     public void reset(long seed, double x, double z, double heading) {
         if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
             throw new IllegalArgumentException("robot " + getRobot() + ": start is x " + x + ", z " + z
-                + ", heading " + heading
-                + ", legal: finite numbers");
+                + ", heading " + heading + ", legal: finite numbers");
         }
         simulation.reseed(seed);
         simulation.reset();
@@ -182,8 +180,7 @@ public final class Episode implements AutoCloseable {
     public void step(double left, double right, int steps) {
         if (!(Math.abs(left) <= fastest && Math.abs(right) <= fastest)) {
             throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right
-                + " m/s, legal: -" + fastest
-                + " to " + fastest);
+                + " m/s, legal: -" + fastest + " to " + fastest);
         }
         checkSteps(steps);
         if (left != 0 || right != 0) {

@@ -94,8 +94,7 @@ final class Observation {
             throw new IllegalArgumentException("robot " + robot.getObject().getName() + " observes nothing: sensors "
                 + "and things are empty, legal: "
                 + (names.isEmpty() ? "names of objects in things, because the robot has no sensors"
-                    : "sensors of " + names
-                    + ", or names of objects in things"));
+                    : "sensors of " + names + ", or names of objects in things"));
         }
         int at = 0;
         for (String name : sensors) {
@@ -121,8 +120,7 @@ final class Observation {
         }
         double[] range = range(sensor, reading);
         parts.add(new Part(name, at, reading.scan() == null ? reading.numbers().length : reading.scan().size(),
-            range[0], range[1], sensor,
-            carrier.getTruth()));
+            range[0], range[1], sensor, carrier.getTruth()));
         return parts.get(parts.size() - 1).size;
     }
 
@@ -212,8 +210,7 @@ final class Observation {
             LidarScan scan = reading.scan();
             if (scan == null) {
                 double[] numbers = part.sensor instanceof GpsSensor ? ((GpsSensor) part.sensor)
-                    .metres((GpsFix) reading, part.truth)
-                    : reading.numbers();
+                    .metres((GpsFix) reading, part.truth) : reading.numbers();
                 for (int k = 0; k < part.size; k++) {
                     put(to, start, part.at + k, numbers[k]);
                 }

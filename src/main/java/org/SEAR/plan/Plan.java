@@ -92,8 +92,7 @@ public final class Plan {
             if (fan.cut ? i % stride == 0 : hit) {
                 double length = hit ? lengths[i] : fan.ranges[i];
                 beams.add(sensor.transform(length * fan.directions[3 * i], length * fan.directions[3 * i + 1],
-                    length * fan.directions[3 * i + 2]),
-                    hit);
+                    length * fan.directions[3 * i + 2]), hit);
             }
         }
         return beams;

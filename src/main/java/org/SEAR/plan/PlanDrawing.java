@@ -123,8 +123,7 @@ public final class PlanDrawing implements Drawing {
         plan.beams.forEach(beams -> draw(canvas, beams, foot));
         plan.robots.forEach(robot -> arrow(canvas, robot));
         plan.robots.forEach(robot -> name(canvas, robot.name + " " + Math.round(robot.heading) + "\u00b0",
-            right(robot.z),
-            down(robot.x) + Math.max(ARROW, AHEAD * robot.radius * scale) + SIZE, true));
+            right(robot.z), down(robot.x) + Math.max(ARROW, AHEAD * robot.radius * scale) + SIZE, true));
         names(canvas);
         foot(canvas, foot);
     }

@@ -43,8 +43,7 @@ public final class Plot {
     public void add(String name, String unit, double[] values) {
         if (values.length != places.length) {
             throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle
-                + "\" has " + places.length
-                + ", legal: the same number");
+                + "\" has " + places.length + ", legal: the same number");
         }
         if (++count > MAX_LINES) {
             throw new IllegalArgumentException("more than " + MAX_LINES + " lines, legal: up to " + MAX_LINES);
@@ -66,8 +65,7 @@ public final class Plot {
             .anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
         if (shown.length == 0 || !hasValues) {
             throw new IllegalArgumentException("there is nothing to draw: no numbers over \"" + xTitle
-                + "\"; fill the lists in a loop, for example"
-                + " with times.append(sear.getTime())");
+                + "\"; fill the lists in a loop, for example with times.append(sear.getTime())");
         }
         DrawingFiles.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false),
             new ArrayList<>(boxes.values())), file);

@@ -10,8 +10,7 @@ final class SvgCanvas implements Canvas {
 
     SvgCanvas(int width, int height) {
         add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-            + "font-family=\"%s\">\n", width, height, width,
-            height, FONT);
+            + "font-family=\"%s\">\n", width, height, width, height, FONT);
         add("<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n", width, height);
     }
 

@@ -124,8 +124,7 @@ final class AssetCheck {
             if (!assets.has(path)) {
                 boolean first = index == 0;
                 problems.add(parsed.file, parsed.line(first ? "path" : "tile#" + (index - 1)), first ? "path"
-                    : "tile", path,
-                    "a file below assets, and there is none of that name: copy the elevation map to "
+                    : "tile", path, "a file below assets, and there is none of that name: copy the elevation map to "
                         + "SEARproject/assets/" + path);
             }
             index++;

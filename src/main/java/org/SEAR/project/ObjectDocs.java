@@ -52,19 +52,15 @@ public final class ObjectDocs {
         + "z east; a robot's z points forward, x to the left, y up. [projects.md](projects.md) describes the "
         + "folders.\n\n"
         + "A box, by a script and as a file:\n\n```python\nfrom org.SEAR.POJOs import Box\nbox = Box(\"crate\", 0.5, "
-        + "0.4, 0.3, 2)\n"
-        + "box.move(1, 0.15, 0)\n"
-        + "```\n\n```xml\n<Box>\n  <name>crate</name>\n"
+        + "0.4, 0.3, 2)\nbox.move(1, 0.15, 0)\n```\n\n```xml\n<Box>\n  <name>crate</name>\n"
         + "  <length>0.5</length>\n  <width>0.4</width>\n  <height>0.3</height>\n  <mass>2</mass>\n"
         + "  <x>1</x>\n  <y>0.15</y>\n</Box>\n```\n";
     /** Words for the rules of text parameters in the column of legal values; other rules are printed there in full. */
     private static final Map<TextRule, String> RULES = Map.of(TextRule.ANY, "text", TextRule.NAME, "name",
-        TextRule.COMPONENT,
-        "component", TextRule.ASSET, "asset", TextRule.EXPORT, "export", TextRule.COLOR, "colour");
+        TextRule.COMPONENT, "component", TextRule.ASSET, "asset", TextRule.EXPORT, "export", TextRule.COLOR, "colour");
     private static final List<Shared> SHARED = List.of(new Shared("Every object", SearObject.class, Box.class),
         new Shared("Objects on the ground", PlacedObject.class, Box.class),
-        new Shared("Shapes", Shape.class, Box.class),
-        new Shared("Sensors", SensorObject.class, LIDAR.class),
+        new Shared("Shapes", Shape.class, Box.class), new Shared("Sensors", SensorObject.class, LIDAR.class),
             new Shared("Serial ports", SerialObject.class, LIDAR.class));
 
     /** Elements and calls of several classes, which the page describes once. */
@@ -122,8 +118,7 @@ public final class ObjectDocs {
             + "casters `front` and `back`.\nThe Roomba 500 series matches the Create, the 600 series the Create 2. At "
             + "the start SEAR warns about "
             + "a robot with the firmware of\none of them and other wheels.\n\nThe first two use 57600 baud, like "
-            + "MyRobotLab's "
-            + "Roomba service. The Create 2 uses 115200, as the real one does: write\n"
+            + "MyRobotLab's Roomba service. The Create 2 uses 115200, as the real one does: write\n"
             + "`Runtime.getService(\"serial\").connect(\"/dev/SEAR_Robot_01\", 115200, 8, 1, 0)` instead of "
             + "`roomba.connect`.\n"
             + "With `rosie.getPart(\"drive\").setBaud(57600)` before the start, 57600 also works.\n\nThree vehicles "
@@ -135,14 +130,11 @@ public final class ObjectDocs {
             + "| Robots.fourWheeled(name) | 4 kg, four driven wheels, skid-steered | `frontLeft`, `frontRight`, "
             + "`rearLeft`, `rearRight` | "
             + "`leftMotor`, `rightMotor` |\n| Robots.car(name) | 5 kg, front wheels steered by up to 30 degrees, rear "
-            + "wheels driven | `frontLeft`, "
-            + "`frontRight`, `rearLeft`, `rearRight` | `engine` |\n"
+            + "wheels driven | `frontLeft`, `frontRight`, `rearLeft`, `rearRight` | `engine` |\n"
             + "| Robots.chassis(name) | 2 kg, a body for your own wheels and motors | none | none |\n\nTheir other "
-            + "parts are `drive` and "
-            + "`body`; [vehicles.md](vehicles.md) explains motors, casters and steered wheels.\n"
+            + "parts are `drive` and `body`; [vehicles.md](vehicles.md) explains motors, casters and steered wheels.\n"
             + "`getPart` returns a part of any robot by its name: `rover.getPart(\"body\").setColor(\"red\")`. Part "
-            + "names are unique: next to\n"
-            + "wheels `left` and `right` call a sensor `leftEye` or `rightPing`.\n");
+            + "names are unique: next to\nwheels `left` and `right` call a sensor `leftEye` or `rightPing`.\n");
     }
 
     /** Returns the page, in Markdown. */
@@ -161,8 +153,7 @@ public final class ObjectDocs {
             out.append("| ").append(beam.getName()).append(" | ").append(String.join(", ", beam.getAliases()))
                 .append(" | ")
                 .append(Parameter.format(farthest)).append(" m | ").append(Parameter.format(beam.getMinRange()))
-                .append(" m | ")
-                .append(beam.getDescription()).append(" |\n");
+                .append(" m | ").append(beam.getDescription()).append(" |\n");
         }
         for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, DriveErrors.class,
             BoardWire.class)) {
@@ -194,8 +185,7 @@ public final class ObjectDocs {
 
     private static void section(StringBuilder out, Class<?> type) {
         List<Shared> groups = SHARED.stream().filter(shared -> shared.type != SearObject.class
-            && shared.type.isAssignableFrom(type))
-            .collect(Collectors.toList());
+            && shared.type.isAssignableFrom(type)).collect(Collectors.toList());
         if (groups.stream().anyMatch(shared -> shared.type == Shape.class)) {
             groups.removeIf(shared -> shared.type == PlacedObject.class);
         }

@@ -51,8 +51,7 @@ final class ProjectLinker {
         for (ParsedObject parsed : parts.values()) {
             if (parsed.object instanceof Wheel) {
                 warnings.add(parsed.file + ": " + parsed.object + " is on no robot and is left out; "
-                    + "robot.addWheel(wheel) adds it, or a <wheel> in"
-                    + " the robot's file");
+                    + "robot.addWheel(wheel) adds it, or a <wheel> in the robot's file");
             } else if (!parsed.isBroken() && !(parsed.object instanceof SEARrobot) && !owners.containsKey(parsed)) {
                 warnings.add(parsed.file + ": " + parsed.object + " is not a component of any robot and"
                     + " is left out; robot.addComponent(...) adds it");
@@ -97,8 +96,7 @@ final class ProjectLinker {
         }
         if (!hasDynamics) {
             warnings.add(parsed.file + ": " + robot + " has no Dynamics, and no simulation starts without; "
-                + "robot.addComponent(Dynamics(name, mass))"
-                + " adds one");
+                + "robot.addComponent(Dynamics(name, mass)) adds one");
         }
     }
 
@@ -139,8 +137,7 @@ final class ProjectLinker {
             if (element != null) {
                 if (first != null) {
                     problems.add(parsed.file, parsed.line(element), element, element.equals("path")
-                        ? ((Terrain) parsed.object).getPath() : "true",
-                        "one terrain; " + first + " is it already");
+                        ? ((Terrain) parsed.object).getPath() : "true", "one terrain; " + first + " is it already");
                 }
                 first = parsed.file;
             }
@@ -167,8 +164,7 @@ final class ProjectLinker {
         for (ParsedObject parsed : owners.keySet()) {
             if (!terrain && parsed.object instanceof GPS && !((GPS) parsed.object).hasReference()) {
                 problems.add(parsed.file, parsed.line("latitude"), "", parsed.object + " has no latitude, altitude "
-                    + "and longitude",
-                    "all three of them, or a Terrain whose map says where on Earth the world lies");
+                    + "and longitude", "all three of them, or a Terrain whose map says where on Earth the world lies");
             }
         }
     }

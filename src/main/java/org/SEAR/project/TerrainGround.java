@@ -75,8 +75,7 @@ final class TerrainGround {
                 ElevationMaps.check(assets, paths.get(i));
             } catch (IOException e) {
                 broken.add(new Problem(parsed.file, parsed.line(i == 0 ? "path" : "tile#" + (i - 1)), i == 0 ? "path"
-                    : "tile", paths.get(i),
-                    USABLE + e.getMessage() + ")"));
+                    : "tile", paths.get(i), USABLE + e.getMessage() + ")"));
             }
         }
         return broken;
@@ -111,7 +110,6 @@ final class TerrainGround {
 
     private ProjectException problem(Terrain terrain, IOException e) {
         return new ProjectException(Collections.singletonList(
-            new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
-            USABLE + e.getMessage() + ")")));
+            new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(), USABLE + e.getMessage() + ")")));
     }
 }

@@ -24,14 +24,12 @@ public final class TerrainHeights implements GroundHeights {
         keep(ground);
         if (ground.origin == null) {
             throw new IllegalArgumentException(terrain + " has no georeference, so it has no elevation by latitude and "
-                + "longitude, legal: a map with"
-                + " georeference; sear.getGroundHeight(x, z) works for every map");
+                + "longitude, legal: a map with georeference; sear.getGroundHeight(x, z) works for every map");
         }
         double height = ground.height(latitude, longitude);
         if (Double.isNaN(height)) {
             throw new IllegalArgumentException(terrain + " has no ground at latitude " + Parameter.format(latitude)
-                + ", longitude "
-                + Parameter.format(longitude) + ", legal: " + extent(ground));
+                + ", longitude " + Parameter.format(longitude) + ", legal: " + extent(ground));
         }
         return height;
     }
@@ -49,7 +47,6 @@ public final class TerrainHeights implements GroundHeights {
         GeoOrigin.GeoPoint west = ground.origin.at(0, 0, ground.field.lowZ);
         GeoOrigin.GeoPoint east = ground.origin.at(0, 0, ground.field.z(ground.field.columns - 1));
         return String.format(Locale.ROOT, "latitude %.4f to %.4f, longitude %.4f to %.4f", south.latitude,
-            north.latitude, west.longitude,
-            east.longitude);
+            north.latitude, west.longitude, east.longitude);
     }
 }

@@ -59,14 +59,12 @@ final class VehicleCheck {
                 problems.add(parsed.file, line, wheel.getName() + "." + element, Parameter.format(value), legal));
             if (wheel.isSteered() && wheel.getType() != Wheel.IDLER && Wheel.steeringLength(wheels) == 0) {
                 problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel),
-                    "a steered wheel in front of or behind the axle of"
-                    + " those that aren't steered");
+                    "a steered wheel in front of or behind the axle of those that aren't steered");
                 return;
             }
             if (wheel.isSteered() && servo != null && !servo.equals(steeredBy(wheel))) {
                 problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel),
-                    "the same as the robot's other steered wheels: "
-                    + servo);
+                    "the same as the robot's other steered wheels: " + servo);
             }
             servo = wheel.isSteered() && servo == null ? steeredBy(wheel) : servo;
             String name = wheel.getSteeringServo();
@@ -90,8 +88,7 @@ final class VehicleCheck {
             String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
             if (wheel == null) {
                 problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1) of the motor's robot "
-                    + robot.getName() + ": "
-                    + driven(robot));
+                    + robot.getName() + ": " + driven(robot));
             } else if (!wheel.isDriven()) {
                 problems.add(parsed.file, line, "wheel", name, "a driven wheel (type 1); this one has type "
                     + wheel.getType());
@@ -111,8 +108,7 @@ final class VehicleCheck {
             String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
             if (part == null || !Servo.canTurn(part)) {
                 problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot "
-                    + robot.getName() + ": "
-                    + Servo.TURNABLE);
+                    + robot.getName() + ": " + Servo.TURNABLE);
             } else if (other != null) {
                 problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
             } else if (turnsItself(servo, robot)) {
@@ -127,8 +123,7 @@ final class VehicleCheck {
             .collect(Collectors.toList());
         if (name != null && !parts.contains(name)) {
             problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot "
-                + robot.getName() + ": "
-                + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
+                + robot.getName() + ": " + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
         }
     }
 

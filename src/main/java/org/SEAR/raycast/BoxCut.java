@@ -91,8 +91,7 @@ final class BoxCut {
             if (here >= 0 != there >= 0) {
                 double f = here / (here - there);
                 n = keep(n, vx[m] + (vx[next] - vx[m]) * f, vz[m] + (vz[next] - vz[m]) * f,
-                    over[m] + (over[next] - over[m]) * f,
-                    here >= 0 ? newFace : face[m]);
+                    over[m] + (over[next] - over[m]) * f, here >= 0 ? newFace : face[m]);
             }
         }
         swap();

@@ -71,8 +71,7 @@ final class FanCaster {
         double z = depth.beams.z[beam];
         hit.shape = -1;
         double t = rays.cast(shapes, tree, ox, oy, oz, axes[0] * x + axes[2] * z, axes[3] * x + axes[5] * z, axes[6] * x
-            + axes[8] * z, maxRange,
-            ignored, hit);
+            + axes[8] * z, maxRange, ignored, hit);
         depth.shape[beam] = hit.shape;
         return t;
     }
@@ -201,8 +200,7 @@ final class FanCaster {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
         depth.intersect(beam, solid.intersect(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z,
-            own[5] * x + own[11] * z),
-            number);
+            own[5] * x + own[11] * z), number);
     }
 
     private void tiles(int number) {

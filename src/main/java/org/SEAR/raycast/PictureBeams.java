@@ -36,8 +36,7 @@ public final class PictureBeams {
     public PictureBeams(int width, double[] left, double[] up) {
         if (width < 1 || left.length == 0 || left.length % width != 0 || up.length != left.length) {
             throw new IllegalArgumentException("picture of " + left.length + " left and " + up.length
-                + " up coordinates in rows of " + width
-                + ", legal: equal numbers, one or more full rows of 1 or more");
+                + " up coordinates in rows of " + width + ", legal: equal numbers, one or more full rows of 1 or more");
         }
         this.width = width;
         this.height = left.length / width;

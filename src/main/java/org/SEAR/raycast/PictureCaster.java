@@ -238,8 +238,7 @@ final class PictureCaster {
                 double dz = axes[6] * x + axes[7] * y;
                 double limit = Math.min(range, depth[i - base]) - start;
                 double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz,
-                    dx + axes[2], dy + axes[5],
-                    dz + axes[8], limit * (1 + SLACK));
+                    dx + axes[2], dy + axes[5], dz + axes[8], limit * (1 + SLACK));
                 if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
                     changed = true;
                     depth[i - base] = t;

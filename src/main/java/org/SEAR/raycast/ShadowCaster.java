@@ -132,8 +132,7 @@ final class ShadowCaster {
                 double z = points[3 * i + 2];
                 double off = own[i] == shape ? OFF * (1 + Math.abs(x) + Math.abs(y) + Math.abs(z)) : 0;
                 double t = rays.test(shapes, shape, x + off * axes[6], y + off * axes[7], z + off * axes[8], axes[6],
-                    axes[7], axes[8],
-                    Double.MAX_VALUE);
+                    axes[7], axes[8], Double.MAX_VALUE);
                 lit[i] = t == Double.POSITIVE_INFINITY ? (byte) 1 : 0;
             }
         }

@@ -47,8 +47,7 @@ public final class RecordHeader {
     public final List<String> lines;
 
     RecordHeader(RunOrigin origin, long firstStep, int interval, String project, List<String> robots,
-        List<String> objects, List<String> sensors,
-            List<List<String>> numbers, List<String> lines) {
+        List<String> objects, List<String> sensors, List<List<String>> numbers, List<String> lines) {
         this.origin = origin;
         this.firstStep = firstStep;
         this.interval = interval;
@@ -102,8 +101,7 @@ public final class RecordHeader {
         int interval = in.readInt();
         if (firstStep < 0 || interval < 1 || interval > LONGEST_INTERVAL) {
             throw new RecordException("its first step is " + firstStep + " and its interval " + interval
-                + ", legal: 0 or more, and 1 to "
-                + LONGEST_INTERVAL);
+                + ", legal: 0 or more, and 1 to " + LONGEST_INTERVAL);
         }
         String project = readText(in);
         List<List<String>> names = new ArrayList<>();

@@ -21,8 +21,7 @@ import org.SEAR.simulator.Simulation;
  */
 public final class Series {
     private static final List<String> ROBOT = Arrays.asList(".x", ".y", ".z", ".heading", ".speed", ".turnRate",
-        " speed wanted", " radius wanted",
-        " left wanted", " right wanted");
+        " speed wanted", " radius wanted", " left wanted", " right wanted");
     private static final List<String> OBJECT = Arrays.asList(".x", ".y", ".z");
     private static final List<String> LINE = Arrays.asList(" received", " sent");
     private static final int COMMANDS = 6;

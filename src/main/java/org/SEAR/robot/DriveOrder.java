@@ -15,8 +15,7 @@ public final class DriveOrder {
     private static final double MAX_SPIN = 3600;
     private static final String SPIN = "spin";
     private static final String ALL_IN_THE_MIDDLE = ": all its driven wheels are in the middle. Move them apart with "
-        + "wheel.move(x, y, z):"
-        + " x > 0 is left, x < 0 is right";
+        + "wheel.move(x, y, z): x > 0 is left, x < 0 is right";
 
     /** Name of the call, and its values as text. */
     public final String call;

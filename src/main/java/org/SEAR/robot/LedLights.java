@@ -65,8 +65,7 @@ final class LedLights {
         public void setBrightness(double wanted) {
             if (!(wanted >= 0 && wanted <= 1)) {
                 throw new IllegalArgumentException("led " + name + " of robot " + robot + ": brightness is "
-                    + Parameter.format(wanted)
-                    + ", legal: 0 to 1");
+                    + Parameter.format(wanted) + ", legal: 0 to 1");
             }
             if (wanted != brightness) {
                 brightness = wanted + 0.0;

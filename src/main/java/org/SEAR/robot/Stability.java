@@ -23,8 +23,7 @@ public final class Stability {
     private static final int MAX_FEET = 20;
     /** Directions in steps of 45 degrees from ahead to the left. */
     private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left",
-        "backwards",
-        "backwards to the right", "to the right", "forwards to the right"};
+        "backwards", "backwards to the right", "to the right", "forwards to the right"};
 
     /** Slope on which it tips over, degrees; negative if it does at rest, NaN without three feet that span an area. */
     public final double degrees;
@@ -184,8 +183,7 @@ public final class Stability {
         }
         String words = degrees <= 0
             ? String.format(Locale.ROOT, "falls over %s at rest: its centre of mass at x %.3f, y %.3f, z %.3f of its "
-                + "frame is %.3f m"
-                + " outside its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
+                + "frame is %.3f m outside its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
             : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with "
                 + "more than %.1f m/s\u00b2", way,
                 Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * PhysicsWorld.GRAVITY);

@@ -86,8 +86,7 @@ final class UnitMistakes {
 
     private void look(SearObject part, Aabb rest) {
         double gap = Math.sqrt(square(gap(part.getX(), rest.minX, rest.maxX))
-            + square(gap(part.getY(), rest.minY, rest.maxY))
-            + square(gap(part.getZ(), rest.minZ, rest.maxZ)));
+            + square(gap(part.getY(), rest.minY, rest.maxY)) + square(gap(part.getZ(), rest.minZ, rest.maxZ)));
         if (gap > FAR && gap > TIMES * size(rest)) {
             found = true;
             warnings.add(String.format(Locale.ROOT, "%s is %.0f m away from the rest of its robot %s, at x %s, y %s, z "

@@ -35,8 +35,7 @@ public final class BeamFan {
     public final boolean cut;
 
     BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors,
-        int[] lines, int hitColor,
-            float hitRadius, List<BeamCone> cones) {
+        int[] lines, int hitColor, float hitRadius, List<BeamCone> cones) {
         this.sensor = sensor;
         this.robot = robot;
         this.part = part;

@@ -137,8 +137,7 @@ public final class CameraImage implements Reading {
     public List<Blobs.Blob> blobs(int color, int least) {
         if (pixels == null) {
             throw new IllegalStateException("a picture of " + getKind() + " has no colours; use setKind(\""
-                + Camera.COLOR
-                + "\")");
+                + Camera.COLOR + "\")");
         }
         return Blobs.find(getWidth(), pixels, color, least);
     }

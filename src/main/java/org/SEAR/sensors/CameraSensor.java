@@ -218,8 +218,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private void measureColors(int[] pixels, long step) {
         for (int i = 0; i < pixels.length && !errors.isNone(); i++) {
             pixels[i] = errors.drops(step, i) ? 0 : level(pixels[i] >> 16, step, i, 0) << 16
-                | level(pixels[i] >> 8, step, i, 1) << 8
-                | level(pixels[i], step, i, 2);
+                | level(pixels[i] >> 8, step, i, 1) << 8 | level(pixels[i], step, i, 2);
         }
     }
 

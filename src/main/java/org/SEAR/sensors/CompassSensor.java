@@ -90,8 +90,7 @@ public final class CompassSensor extends Sensor<Quantity> {
         }
         if (truth.earth().getOrigin() == null) {
             return Collections.singletonList("compass " + getName() + " shows true north: without a GPS the world's "
-                + "place on Earth is unknown;"
-                + " add a GPS for the declination");
+                + "place on Earth is unknown; add a GPS for the declination");
         }
         MagneticModel model = truth.earth().getMagneticModel();
         double year = decimalYear(truth);
@@ -102,8 +101,7 @@ public final class CompassSensor extends Sensor<Quantity> {
             String.format(java.util.Locale.ROOT, "compass %s: %s is valid from %.1f to %.1f, the simulated "
                 + "date is %.1f;"
             + " the declination is less accurate; put that year's coefficients into assets/%s", getName(),
-            model.getName(), model.getEpoch(),
-            model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
+            model.getName(), model.getEpoch(), model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
     }
 
     /** Registry entry. */

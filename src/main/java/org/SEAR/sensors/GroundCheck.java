@@ -37,8 +37,7 @@ final class GroundCheck {
     /** Casts a ray: a unit direction in the sensor's frame and a length in metres. */
     void look(double x, double y, double z, double range) {
         double distance = truth.scene().cast(pose.x, pose.y, pose.z, rotation.outX(x, y, z), rotation.outY(x, y, z),
-            rotation.outZ(x, y, z), range,
-            ignored, hit);
+            rotation.outZ(x, y, z), range, ignored, hit);
         if (distance < nearest && truth.isGround(hit.shape)) {
             nearest = distance;
             ground = hit.shape;
@@ -53,8 +52,7 @@ final class GroundCheck {
         return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m wherever nothing is "
             + "nearer: mount it higher, tilt it"
             + " up (%s.rotate(-20, 0, 0)), or hide the ground: sear.setGroundVisible(False) for all, or "
-            + "setVisibleToSensors(False)"
-            + " of the object", sensor, truth.objectName(ground), nearest,
+            + "setVisibleToSensors(False) of the object", sensor, truth.objectName(ground), nearest,
                 sensor.substring(sensor.lastIndexOf('/') + 1)));
     }
 }

@@ -68,8 +68,7 @@ public final class ImuReading implements Reading {
     @Override
     public String words(double[] kept, String unit) {
         return ReadingWords.withUnit("yaw " + ReadingWords.fixed(kept[0], 1) + ", pitch "
-            + ReadingWords.fixed(kept[1], 1) + ", roll "
-            + ReadingWords.fixed(kept[2], 1), unit);
+            + ReadingWords.fixed(kept[1], 1) + ", roll " + ReadingWords.fixed(kept[2], 1), unit);
     }
 
     /** Returns the value for scripts: {@code "yaw,pitch,roll"}, degrees. */

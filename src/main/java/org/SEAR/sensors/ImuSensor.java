@@ -64,11 +64,9 @@ public final class ImuSensor extends Sensor<ImuReading> {
         }
         rotation.set(pose);
         VectorReading seen = new VectorReading(rotation.inX(north[0], north[1], north[2]),
-            rotation.inY(north[0], north[1], north[2]),
-            rotation.inZ(north[0], north[1], north[2]));
+            rotation.inY(north[0], north[1], north[2]), rotation.inZ(north[0], north[1], north[2]));
         return new ImuReading(new double[] {CompassSensor.wrap(angles[0]), angles[1], CompassSensor.wrap(angles[2])},
-            own(acceleration.read(truth)),
-            own(rates.read(truth)), own(seen));
+            own(acceleration.read(truth)), own(rates.read(truth)), own(seen));
     }
 
     /** Returns yaw, pitch and roll, degrees. */

@@ -155,8 +155,7 @@ public final class PixelGrid {
     public String words(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= getHeight()) {
             throw new IllegalArgumentException("the pixel is " + column + ", " + row + ", legal: columns 0 to "
-                + (width - 1) + ", rows 0 to "
-                + (getHeight() - 1));
+                + (width - 1) + ", rows 0 to " + (getHeight() - 1));
         }
         int pixel = row * width + column;
         if (pixels != null) {

@@ -70,8 +70,7 @@ public final class SensorTypes {
         SensorType type = find(object);
         if (type == null) {
             throw new IllegalArgumentException(object.getClass().getSimpleName() + " " + object.getName()
-                + " is no sensor; sensors are "
-                + String.join(", ", new TreeMap<>(types).keySet()));
+                + " is no sensor; sensors are " + String.join(", ", new TreeMap<>(types).keySet()));
         }
         return type.create(object, seed);
     }

@@ -122,13 +122,11 @@ final class DevicePort implements DeviceContext {
         }
         if (cable.takeDropped() > 0) {
             warn("input", "a program writes faster to " + cable.getUserPort() + " than its line carries at "
-                + cable.getDeviceBaud()
-                + " baud; SEAR drops bytes while " + Cable.MAX_WAITING + " bytes wait");
+                + cable.getDeviceBaud() + " baud; SEAR drops bytes while " + Cable.MAX_WAITING + " bytes wait");
         }
         if (cable.takeLost() > 0) {
             warn("output", "its replies exceed what its line carries at " + cable.getDeviceBaud()
-                + " baud; SEAR drops replies while more than "
-                + Cable.MAX_OUTPUT + " bytes wait");
+                + " baud; SEAR drops replies while more than " + Cable.MAX_OUTPUT + " bytes wait");
         }
     }
 }

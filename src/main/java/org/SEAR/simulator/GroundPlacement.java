@@ -67,16 +67,14 @@ final class GroundPlacement {
         String file = folder + object.getFileName() + ".xml";
         if (object.hasPlaceOnEarth() && origin == null) {
             problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()),
-                "only with a Terrain whose map"
-                + " defines its position on Earth; placeAt(x, z), in metres, works without");
+                "only with a Terrain whose map defines its position on Earth; placeAt(x, z), in metres, works without");
             return;
         }
         double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())
             : new double[] {object.getX(), object.getZ()};
         if (!StartPoses.stand(body, turn.apply(new Pose(point[0], 0, point[1], 0, 0, 0, 1)), feet, scenes)) {
             problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z",
-                where(object, point),
-                "a place with ground: on the terrain, a floor, or a model that is the terrain");
+                where(object, point), "a place with ground: on the terrain, a floor, or a model that is the terrain");
         }
     }
 

@@ -27,8 +27,7 @@ public final class Snapshot {
     public final List<String> warnings;
 
     public Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots,
-        Map<String, Reading> readings,
-            List<double[]> contacts, List<String> warnings) {
+        Map<String, Reading> readings, List<double[]> contacts, List<String> warnings) {
         this.step = step;
         this.time = time;
         this.environment = environment;

@@ -43,8 +43,7 @@ final class SnapshotRecorder {
             RobotModel robot = world.getRobots().get(i);
             devices.add(List.of());
             cables.add(instruments.getPorts().stream().filter(port -> port.getRobot() == robot)
-                .map(DevicePort::getCable)
-                .collect(Collectors.toList()));
+                .map(DevicePort::getCable).collect(Collectors.toList()));
         }
     }
 
@@ -78,8 +77,7 @@ final class SnapshotRecorder {
             RobotModel robot = world.getRobots().get(i);
             boolean changed = display && updateDevices(i);
             if (step == 0 || changed || states[i] == null || world.getPhysics().isAwake(robot.getBody())
-                || states[i].speed != 0
-                || states[i].lights != robot.getLights()) {
+                || states[i].speed != 0 || states[i].lights != robot.getLights()) {
                 states[i] = state(robot, devices.get(i), commanded[i]);
                 check(robot);
             }
@@ -145,8 +143,7 @@ final class SnapshotRecorder {
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
             angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(),
-            robot.getPartPoses(),
-            robot.getLights(), devices, commanded);
+            robot.getPartPoses(), robot.getLights(), devices, commanded);
     }
 
     private void check(RobotModel robot) {

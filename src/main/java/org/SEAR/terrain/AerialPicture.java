@@ -65,8 +65,7 @@ public final class AerialPicture {
             if (part == null) {
                 double[] centre = system.toEarth(middle, picture.place.y(picture.columns / 2.0, picture.rows / 2.0));
                 throw FileLimits.wrong(path, "the picture's place", place(centre[0], centre[1]),
-                    "over the terrain, which is "
-                    + place(origin.getLatitude(), origin.getLongitude()));
+                    "over the terrain, which is " + place(origin.getLatitude(), origin.getLongitude()));
             }
             int factor = (Math.max(part[2], part[3]) + MAX_SIDE - 1) / MAX_SIDE;
             int[] colours = picture.read(part[0], part[1], part[2], part[3], factor);

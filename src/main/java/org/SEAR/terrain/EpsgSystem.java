@@ -157,8 +157,7 @@ final class EpsgSystem {
     /** Returns the exception for a system that SEAR does not read, with the command that converts the map. */
     static IOException unsupported(String file, String system, String legal) {
         return FileLimits.wrong(file, "the coordinate system", system, legal + ": convert the map by gdalwarp "
-            + "-t_srs EPSG:4326 "
-            + PrintableText.line(file.substring(file.lastIndexOf('/') + 1)) + " wgs84.tif");
+            + "-t_srs EPSG:4326 " + PrintableText.line(file.substring(file.lastIndexOf('/') + 1)) + " wgs84.tif");
     }
 
     /** Returns the system as PROJ parameters, without a datum shift. */

@@ -64,8 +64,7 @@ final class FieldGrid {
     /** Returns the same grid, moved by less than a millimetre so that it can be cut into {@link HeightTiles}. */
     FieldGrid exact() {
         return new FieldGrid(rows, columns, HeightTiles.exact(lowX), HeightTiles.exact(lowZ),
-            HeightTiles.exact(spacingX),
-            HeightTiles.exact(spacingZ));
+            HeightTiles.exact(spacingX), HeightTiles.exact(spacingZ));
     }
 
     long posts() {

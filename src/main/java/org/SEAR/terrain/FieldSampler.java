@@ -28,8 +28,7 @@ final class FieldSampler {
     /** Throws if a field is too large. */
     static void require(String file, FieldGrid grid) throws IOException {
         FileLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns
-            + "; a smaller area has fewer)", grid.posts(), 9,
-            MapLimits.MOST_POSTS);
+            + "; a smaller area has fewer)", grid.posts(), 9, MapLimits.MOST_POSTS);
         double least = Math.max(grid.rows * grid.spacingX, grid.columns * grid.spacingZ) / DISTINCT;
         if (!(Math.min(grid.spacingX, grid.spacingZ) >= least)) {
             throw FileLimits.wrong(file, "the distance of posts", Math.min(grid.spacingX, grid.spacingZ) + " m",

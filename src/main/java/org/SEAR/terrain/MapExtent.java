@@ -39,8 +39,7 @@ final class MapExtent {
             box[2] = Math.max(box[2], at[0]);
             box[3] = Math.max(box[3], at[1]);
             if (!(at[0] >= -border - ROUNDING && at[1] >= -border - ROUNDING && at[0] <= mosaic.columns - 1
-                + border + ROUNDING
-                && at[1] <= mosaic.rows - 1 + border + ROUNDING)) {
+                + border + ROUNDING && at[1] <= mosaic.rows - 1 + border + ROUNDING)) {
                 return null;
             }
         }

@@ -52,8 +52,7 @@ public final class TerrainColors {
     private static GroundPicture.Colors placed(String path, Assets assets, Ground ground) throws IOException {
         HeightField field = ground.field;
         AerialPicture picture = AerialPicture.load(assets, path, ground.origin, field.x(0),
-            field.x(field.rows - 1), field.z(0),
-            field.z(field.columns - 1));
+            field.x(field.rows - 1), field.z(0), field.z(field.columns - 1));
         double perX = picture.rows / (picture.north - picture.south);
         double perZ = picture.columns / (picture.east - picture.west);
         return (x, z) -> {

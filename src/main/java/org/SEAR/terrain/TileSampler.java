@@ -65,8 +65,7 @@ final class TileSampler implements HeightTiles.Source {
         int height = Math.min(4, grid.rows - row);
         int width = Math.min(4, grid.columns - column);
         return new HeightField(height, width, grid.x(row), grid.z(column), grid.spacingX, grid.spacingZ,
-            heights(row, column, height, width))
-            .height(0, 0);
+            heights(row, column, height, width)).height(0, 0);
     }
 
     /**

@@ -31,10 +31,8 @@ public final class WindowProcess {
         PipeLink world = new PipeLink(Project.read(Paths.get(arguments[0])), out);
         WindowOptions options = new WindowOptions().setTitle(arguments[1])
             .setSize(Integer.parseInt(arguments[2]), Integer.parseInt(arguments[3]))
-            .setDebugShapes(Boolean.parseBoolean(arguments[4]))
-            .setScreenshotFolder(Paths.get(arguments[5]))
-            .setWarnings(warning -> world.say(WindowProtocol.WARNING, warning))
-            .setOnClosed(() -> {
+            .setDebugShapes(Boolean.parseBoolean(arguments[4])).setScreenshotFolder(Paths.get(arguments[5]))
+            .setWarnings(warning -> world.say(WindowProtocol.WARNING, warning)).setOnClosed(() -> {
                 world.say(WindowProtocol.CLOSED);
                 Runtime.getRuntime().halt(0);
             });

@@ -283,8 +283,7 @@ public class VirtualSerialPort extends Port {
     public boolean setParams(int newRate, int newDataBits, int newStopBits, int newParity) {
         if (newRate < LOWEST_BAUD || newRate > HIGHEST_BAUD) {
             throw new IllegalArgumentException("baud rate of port " + portName + " is " + newRate + ", legal: "
-                + LOWEST_BAUD + " to "
-                + HIGHEST_BAUD);
+                + LOWEST_BAUD + " to " + HIGHEST_BAUD);
         }
         rate = newRate;
         dataBits = newDataBits;

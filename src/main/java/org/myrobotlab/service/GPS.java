@@ -561,8 +561,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         if (connected && !silent && link.timeOutNow() - lastHeard > SILENCE) {
             silent = true;
             ServiceWarnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is "
-                + "this its baud rate?", getName(),
-                link.getPortName(), link.getBaud(), SILENCE);
+                + "this its baud rate?", getName(), link.getPortName(), link.getBaud(), SILENCE);
             broadcastState();
         }
     }

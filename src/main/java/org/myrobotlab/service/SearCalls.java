@@ -77,7 +77,6 @@ final class SearCalls {
 
     static String missing(LinkageError e) {
         return "SEAR can't run here, a library is missing or broken (" + e + "): run \"sear install\" for this "
-            + "MyRobotLab again, or put the jars"
-            + " that come with SEAR into libraries/jar";
+            + "MyRobotLab again, or put the jars that come with SEAR into libraries/jar";
     }
 }

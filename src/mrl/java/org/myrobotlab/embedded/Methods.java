@@ -56,8 +56,7 @@ public final class Methods {
 
     private static boolean isCloser(Method method, Method than) {
         return method.getDeclaringClass() != than.getDeclaringClass() && than.getDeclaringClass()
-            .isAssignableFrom(method.getDeclaringClass())
-            || method.toString().compareTo(than.toString()) < 0
+            .isAssignableFrom(method.getDeclaringClass()) || method.toString().compareTo(than.toString()) < 0
             && method.getDeclaringClass() == than.getDeclaringClass();
     }
 

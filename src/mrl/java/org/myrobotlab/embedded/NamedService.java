@@ -130,8 +130,7 @@ public abstract class NamedService implements ServiceInterface {
     @Override
     public String[] getMethodNames() {
         return Arrays.stream(getClass().getMethods()).filter(method -> method.getDeclaringClass() != Object.class)
-            .map(Method::getName)
-            .distinct().sorted().toArray(String[]::new);
+            .map(Method::getName).distinct().sorted().toArray(String[]::new);
     }
 
     @Override

@@ -35,8 +35,7 @@ public final class NearestName {
         }
         return known.stream().filter(one -> wanted.length() > 1 && nearness(wanted, one) >= NEAR)
             .max(Comparator.comparingDouble((String one) -> nearness(wanted, one))
-                .thenComparing(NearestName::likelihood)
-                .thenComparing(Comparator.reverseOrder()))
+                .thenComparing(NearestName::likelihood).thenComparing(Comparator.reverseOrder()))
             .map(NearestName::question).orElse("");
     }
 

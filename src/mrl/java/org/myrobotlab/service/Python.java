@@ -456,8 +456,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         openedScripts.remove(file);
         if (!Files.isDirectory(path.toAbsolutePath().normalize().getParent())) {
             throw new IOException(file + " can't be saved: there is no folder " + path.toAbsolutePath().normalize()
-                .getParent()
-                + "; create it first");
+                .getParent() + "; create it first");
         }
         Files.writeString(part, code, StandardCharsets.UTF_8);
         Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
@@ -474,8 +473,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         Path root = resolve("");
         try (Stream<Path> files = Files.walk(root, SCRIPT_DEPTH)) {
             return files.filter(one -> one.toString().endsWith(".py"))
-                .map(one -> root.relativize(one).toString()).sorted()
-                .collect(Collectors.toList());
+                .map(one -> root.relativize(one).toString()).sorted().collect(Collectors.toList());
         }
     }
 

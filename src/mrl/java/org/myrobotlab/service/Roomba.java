@@ -251,11 +251,9 @@ public class Roomba extends Service<RoombaConfig> {
      * @param powerIntensity 0 to 255
      */
     public void setLEDs(boolean statusGreen, boolean statusRed, boolean spot, boolean clean, boolean max, boolean dirt,
-        int powerColor,
-        int powerIntensity) {
+        int powerColor, int powerIntensity) {
         int bits = (statusGreen ? LED_STATUS_GREEN : 0) | (statusRed ? LED_STATUS_RED : 0) | (spot ? LED_SPOT : 0)
-            | (clean ? LED_CLEAN : 0)
-            | (max ? LED_MAX : 0) | (dirt ? LED_DIRT : 0);
+            | (clean ? LED_CLEAN : 0) | (max ? LED_MAX : 0) | (dirt ? LED_DIRT : 0);
         command(LEDS, bits, powerColor, powerIntensity);
     }
 

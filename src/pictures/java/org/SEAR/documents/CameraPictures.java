@@ -71,8 +71,7 @@ public final class CameraPictures {
         throws IOException, InterruptedException {
         File file = folder.resolve(name + ".png").toFile();
         ProcessBuilder builder = new ProcessBuilder("python3", "-B", "examples/python3/" + name + ".py",
-            "--fast", "--server",
-            robotLab.url().replaceAll("/$", ""), "--save", file.toString());
+            "--fast", "--server", robotLab.url().replaceAll("/$", ""), "--save", file.toString());
         builder.environment().put("PYTHONPATH", System.getProperty("sear.opencv"));
         int status = builder.inheritIO().start().waitFor();
         if (status != 0) {

@@ -41,8 +41,7 @@ public final class DocumentPictures {
             inside.addAll(Arrays.asList(arguments));
             try (Xvfb server = new Xvfb()) {
                 Process process = Xvfb.java(server.display(), List.of(), DocumentPictures.class.getName(),
-                    inside.toArray(new String[0]))
-                    .inheritIO().start();
+                    inside.toArray(new String[0])).inheritIO().start();
                 System.exit(process.waitFor());
             }
         }

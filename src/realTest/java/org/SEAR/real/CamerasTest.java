@@ -14,8 +14,7 @@ public class CamerasTest extends InPage {
     @Test
     public void cameraPicturesAreLiveAndAClickShowsTheDistance() throws Exception {
         assertEquals("", mrl.python("from org.SEAR.POJOs import Box, Camera, Floor, Robots", "sear.newProject()",
-            "Floor('floor', 20, 20)",
-            "Box('crate', 1, 1, 1, 0).move(0, 0.5, 2)", "rover = Robots.create2('rover')",
+            "Floor('floor', 20, 20)", "Box('crate', 1, 1, 1, 0).move(0, 0.5, 2)", "rover = Robots.create2('rover')",
             "eye = Camera('eye', 0, 0.3, 0.1)",
             "eye.setKind('depth')", "rover.addComponent(eye)", "sear.recordRun('real', 100, 5)",
                 "sear.startSimulation()"));
@@ -30,8 +29,7 @@ public class CamerasTest extends InPage {
         WebElement picture = page.browser.see(EYE + ".sear-eye-picture");
         page.browser.script("arguments[0].scrollIntoView(); var box = arguments[0].getBoundingClientRect();"
             + "arguments[0].dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.51 "
-            + "* box.width,"
-            + " clientY: box.top + 0.51 * box.height}))", picture);
+            + "* box.width, clientY: box.top + 0.51 * box.height}))", picture);
         page.browser.seeText(EYE + ".sear-eye-words", ": 1.400 m ahead");
         page.browser.click(EYE + ".sear-enlarge");
         page.browser.see(".sear-eye-large img");

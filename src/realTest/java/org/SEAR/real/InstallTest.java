@@ -96,8 +96,7 @@ public class InstallTest {
         }
         RealMrlCopy.install(RealMrlCopy.SEAR, folder, "--remove");
         List<String> left = bytes(folder).keySet().stream()
-            .filter(name -> name.matches("(.*/)?(SEAR|LIDAR|GPS)[^/]*/?"))
-            .collect(Collectors.toList());
+            .filter(name -> name.matches("(.*/)?(SEAR|LIDAR|GPS)[^/]*/?")).collect(Collectors.toList());
         assertEquals("of SEAR", List.of(), left);
         assertItIsAsItWas(folder);
     }

@@ -15,12 +15,10 @@ import java.util.stream.Stream;
 final class Job {
     private static final Path ROOT = InRealMrl.ROOT;
     private static final String WHAT_IS_THERE = "sear.startSimulation()\nsear.simSleep(1)\nfor part in "
-        + "sear.getSensorNames():\n"
-        + "    print part, ['%.4f' % value for value in sear.getPose(part)]\n";
+        + "sear.getSensorNames():\n    print part, ['%.4f' % value for value in sear.getPose(part)]\n";
     private static final String LISTEN = "sear.simSleep(3)\n";
     private static final String ROOM = "from org.SEAR.POJOs import Accelerometer, Box, Compass, Distance, "
-        + "Floor, Gyroscope\n"
-        + "Floor('floor', 50, 50)\nBox('wall', 4, 0.1, 1, 0).move(0, 0.5, -1.5)\nexecfile("
+        + "Floor, Gyroscope\nFloor('floor', 50, 50)\nBox('wall', 4, 0.1, 1, 0).move(0, 0.5, -1.5)\nexecfile("
         + script("scripts/listing02.py") + ", globals())\n"
         + "for (name, x) in (('testPing1', 0.05), ('MyNewestSONAR', -0.05)):\n"
         + "    ping = Distance(name, 'laser')\n    ping.move(x, 0.1, 0.15)\n    robot.addComponent(ping)\n"

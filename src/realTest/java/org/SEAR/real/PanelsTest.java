@@ -27,12 +27,10 @@ public class PanelsTest extends InPage {
         "    var gaps = [box.left + margin - frame.left, frame.right + margin - box.right, margin ? 0 : Math.min(0, "
         + "box.top - header.bottom)]",
         "    if (gaps.some(function(gap) { return Math.abs(gap) > 1 })) { faults.push(e.className + ' is off "
-        + "by ' + gaps) }",
-        "})",
+        + "by ' + gaps) }", "})",
         "area.querySelectorAll('.sear-panel *').forEach(function(e) {",
         "    if (e.getClientRects().length && e.getBoundingClientRect().right > frame.right + 1 && !e.closest('svg, "
-        + ".sear-file, .sear-log')) {",
-        "        faults.push('cut off: ' + e.outerHTML.substring(0, 100))",
+        + ".sear-file, .sear-log')) {", "        faults.push('cut off: ' + e.outerHTML.substring(0, 100))",
         "    }",
         "})",
         "return own.length ? faults : ['nothing is there']");
@@ -62,8 +60,7 @@ public class PanelsTest extends InPage {
         List<String> controls = Map.of(
             "sear", List.of(".sear-start", ".sear-stop", ".sear-stage canvas", ".sear-record"),
             "lidar", List.of(".lidar-port", ".sear-lidar canvas, .sear-lidar svg"), "gps",
-            List.of(".gps-port", ".sear-gps table"),
-            "python", List.of("[ng-click='exec()']")).get(service);
+            List.of(".gps-port", ".sear-gps table"), "python", List.of("[ng-click='exec()']")).get(service);
         for (String css : controls) {
             assertTrue(css + " is wide enough", page.browser.see(css).getSize().getWidth() >= NARROWEST);
         }

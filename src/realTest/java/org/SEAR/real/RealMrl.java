@@ -31,26 +31,17 @@ final class RealMrl {
      * MyRobotLab's Python service executes a line of its own after each service start, which would end another thread's
      * line.
      */
-    private static final String WRAPPER = "import os, sys, threading, traceback\n"
-        + "class _Output(object):\n"
+    private static final String WRAPPER = "import os, sys, threading, traceback\nclass _Output(object):\n"
         + "    def __init__(self, name):\n"
         + "        self.__dict__.update(file=open(name, 'w', 0), owed=threading.local())\n"
         + "    def __getattr__(self, name):\n"
         + "        return getattr(self.owed, name, 0) if name == 'softspace' else getattr(self.file, name)\n"
-        + "    def __setattr__(self, name, value):\n"
-        + "        setattr(self.owed, name, value)\n"
-        + "_console = sys.stdout, sys.stderr\n"
-        + "sys.stdout = sys.stderr = _Output(%1$s)\n"
-        + "try:\n"
-        + "    try:\n"
-        + "        execfile(%2$s, globals())\n"
-        + "    except:\n"
-        + "        traceback.print_exc(None, sys.stdout)\n"
-        + "finally:\n"
+        + "    def __setattr__(self, name, value):\n        setattr(self.owed, name, value)\n"
+        + "_console = sys.stdout, sys.stderr\nsys.stdout = sys.stderr = _Output(%1$s)\ntry:\n    try:\n"
+        + "        execfile(%2$s, globals())\n    except:\n        traceback.print_exc(None, sys.stdout)\nfinally:\n"
         + "    _file = sys.stdout\n"
         + "    sys.stdout, sys.stderr = _console\n"    // a callback that ends now must not find the file closed
-        + "    _file.close()\n"
-        + "    os.rename(%1$s, %3$s)\n";
+        + "    _file.close()\n    os.rename(%1$s, %3$s)\n";
     private static RealMrl shared;
     private static int runs;
 

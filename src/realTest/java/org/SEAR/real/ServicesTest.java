@@ -86,8 +86,7 @@ public class ServicesTest extends InRealMrl {
         for (String name : new String[] {"sear", "lidar", "gps"}) {
             String type = name.toUpperCase(Locale.ROOT);
             assertEquals("the configuration of " + name + " is a PythonConfig, legal: " + type + "Config\n" + type
-                + "Config\n", mrl.python(
-                "from java.lang import IllegalArgumentException",
+                + "Config\n", mrl.python("from java.lang import IllegalArgumentException",
                 "from org.myrobotlab.service.config import PythonConfig",
                 "try: " + name + ".apply(PythonConfig())",
                 "except IllegalArgumentException, e: print e.getMessage()",

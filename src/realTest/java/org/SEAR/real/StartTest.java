@@ -10,10 +10,8 @@ public class StartTest extends InRealMrl {
     @Test
     public void theServicesStartAndSimulatedTimePasses() throws Exception {
         assertEquals("1.0\n", mrl.python("sear = Runtime.start('sear', 'SEAR')",
-            "lidar = Runtime.start('lidar', 'LIDAR')",
-            "gps = Runtime.start('gps', 'GPS')", "sear.setLockStep(True)",
+            "lidar = Runtime.start('lidar', 'LIDAR')", "gps = Runtime.start('gps', 'GPS')", "sear.setLockStep(True)",
             "sear.loadProject(" + RealMrl.literal(ROOT + "/examples/office.sear") + ")", "sear.startSimulation()",
-            "before = sear.getTime()",
-            "sear.simSleep(1)", "print round(sear.getTime() - before, 3)"));
+            "before = sear.getTime()", "sear.simSleep(1)", "print round(sear.getTime() - before, 3)"));
     }
 }

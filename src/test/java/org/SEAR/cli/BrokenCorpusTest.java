@@ -103,8 +103,7 @@ public class BrokenCorpusTest {
             .repeat(100_000) + "</Box>");
         put(folder("wide", "environment/o.xml"), "environment/o.xml", "<Box " + "a=\"1\" ".repeat(1000) + "/>");
         Files.createSymbolicLink(folder("endless", "environment/o.xml", "neither a link nor a folder")
-            .resolve("environment/o.xml"),
-            Path.of("/dev/zero"));
+            .resolve("environment/o.xml"), Path.of("/dev/zero"));
         Path crowd = folder("crowd of broken files", "environment/o0.xml", "is not an object here");
         for (int i = 0; i < 3000; i++) {
             put(crowd, "environment/o" + i + ".xml", "<Nonsense/>");
@@ -120,8 +119,7 @@ public class BrokenCorpusTest {
             List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString()));
         command.addAll(List.of(MEMORY));
         command.addAll(List.of("-Dfile.encoding=UTF-8", "-cp", System.getProperty("java.class.path"),
-            CheckEach.class.getName(),
-            temporary.getRoot().toPath().resolve("corpus").toString()));
+            CheckEach.class.getName(), temporary.getRoot().toPath().resolve("corpus").toString()));
         File out = temporary.newFile();
         File err = temporary.newFile();
         Process process = new ProcessBuilder(command).redirectOutput(out).redirectError(err).start();

@@ -119,8 +119,7 @@ public class BrokenMapsTest {
         asset("map.tif", map().bytes());
         byte[] elsewhere = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(9, 47, STEP).bytes();
         refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, "
-            + "longitude 9.02050, "
-            + "legal: over the terrain");
+            + "longitude 9.02050, legal: over the terrain");
     }
 
     /** A broken picture shared with a box, which alone would cause only a warning, is still an error. */
@@ -167,8 +166,7 @@ public class BrokenMapsTest {
             + "PARAMETER[\"False_Easting\",700000.0],PARAMETER[\"False_Northing\",6600000.0],"
             + "PARAMETER[\"Central_Meridian\",3.0],"
             + "PARAMETER[\"Standard_Parallel_1\",44.0],PARAMETER[\"Standard_Parallel_2\",49.0],"
-            + "PARAMETER[\"Latitude_Of_Origin\",46.5],"
-            + "UNIT[\"Meter\",1.0]]");
+            + "PARAMETER[\"Latitude_Of_Origin\",46.5],UNIT[\"Meter\",1.0]]");
         new Terrain("ground", "paris.asc");
         assertEquals(said, 0, check());
         Project read = Project.read(project.folder());
@@ -184,8 +182,7 @@ public class BrokenMapsTest {
         Arrays.fill(offsets, 8);
         Arrays.fill(counts, 2);
         asset("tiles.tif", new TiffMaker(side, side, 16, (byte) 1, (byte) 0).placed(8, 47, 1e-4).with(273, null)
-            .with(278, null).with(279, null)
-            .with(322, 1).with(323, 1).with(324, offsets).with(325, counts).bytes());
+            .with(278, null).with(279, null).with(322, 1).with(323, 1).with(324, offsets).with(325, counts).bytes());
         new Terrain("ground", "tiles.tif");
         assertEquals(2, check());
         assertTrue(said, said.contains("tiles.tif: the number of strips or tiles in the area is 4000000, "

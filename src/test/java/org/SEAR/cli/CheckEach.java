@@ -35,8 +35,7 @@ final class CheckEach {
             int status = line.execute("check", folder.toString());
             long millis = TimeUnit.NANOSECONDS.toMillis(system.getProcessCpuTime() - before);
             String missing = Files.readAllLines(folder.resolve("expected")).stream()
-                .filter(text -> !said.toString().contains(text))
-                .collect(Collectors.joining(" and "));
+                .filter(text -> !said.toString().contains(text)).collect(Collectors.joining(" and "));
             String words = missing.isEmpty() ? "" : "not said: " + missing + ", but: " + said.toString()
                 .replaceAll("\\s+", " ");
             System.out.println(folder.getFileName() + "\t" + status + "\t" + millis + "\t" + words);

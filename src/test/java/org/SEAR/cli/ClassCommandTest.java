@@ -79,8 +79,7 @@ public class ClassCommandTest {
 
     private static String command(Predicate<String> wanted) {
         List<String> commands = DocBlock.commands("docs/classroom.md", "sear class --pupils names.txt").stream()
-            .filter(wanted)
-            .collect(Collectors.toList());
+            .filter(wanted).collect(Collectors.toList());
         assertEquals(commands.toString(), 1, commands.size());
         return commands.get(0);
     }
@@ -190,8 +189,7 @@ public class ClassCommandTest {
         until("Ada's starts again", () -> out().contains(killed)
             && runsScripts(port, token(ADA)));
         client().sendAsync(request(port, token(ADA), "python/exec",
-            "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
-            HttpResponse.BodyHandlers.ofString());
+            "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"), HttpResponse.BodyHandlers.ofString());
         until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; restarting (2 of 5)")
             && runsScripts(port, token(ADA)));
         assertTrue("Ben's goes on", ben.isAlive() && ben.pid() == pupil(port + 1).pid());

@@ -48,8 +48,7 @@ public class DrivingExamplesTest {
         StringBuilder code = new StringBuilder(Files.readString(EXAMPLES.resolve("drive").resolve(script)));
         for (String thing : things) {
             code.append("print '").append(thing).append(" ends at %.3f %.3f' % (sear.getPose('").append(thing)
-                .append("')[0], sear.getPose('")
-                .append(thing).append("')[2])\n");
+                .append("')[0], sear.getPose('").append(thing).append("')[2])\n");
         }
         Path file = folder.getRoot().toPath().resolve(script);
         Files.writeString(file, code);

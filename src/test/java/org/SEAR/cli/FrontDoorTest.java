@@ -141,8 +141,7 @@ public class FrontDoorTest {
     @Test
     public void ctrlCEndsASleepingScriptWithoutAStackTrace() throws Exception {
         Files.writeString(root.resolve("s.py"), "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('"
-            + example() + "')\n"
-            + "sear.startSimulation()\nopen('asleep', 'w').close()\nwhile True: sear.simSleep(1)\n");
+            + example() + "')\nsear.startSimulation()\nopen('asleep', 'w').close()\nwhile True: sear.simSleep(1)\n");
         sear("s.py");
         await("the script", root.resolve("asleep"));
         endsQuietly();

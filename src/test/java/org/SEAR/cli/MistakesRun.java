@@ -57,8 +57,7 @@ public final class MistakesRun {
         Thread script = new Thread(() -> {
             try {
                 status[0] = new MrlRun(MrlRun.NO_PORT, false, new PrintWriter(out, true))
-                    .script(folder.resolve("script.py"), List.of(), false,
-                    Double.POSITIVE_INFINITY);
+                    .script(folder.resolve("script.py"), List.of(), false, Double.POSITIVE_INFINITY);
             } catch (IOException | InterruptedException e) {
                 out.println(e);
             }

@@ -59,8 +59,7 @@ public class ReadmeTest {
     /** Starts a command without a display in the folder of the test. */
     private Process start(String command) throws IOException {
         ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + command).directory(folder.getRoot())
-            .redirectErrorStream(true)
-            .redirectOutput(output().toFile());
+            .redirectErrorStream(true).redirectOutput(output().toFile());
         shell.environment().keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"));
         shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
         return shell.start();
@@ -112,8 +111,7 @@ public class ReadmeTest {
             assertTrue(output, Pattern.compile(Pattern.quote(port) + " is /dev/\\S+").matcher(output).find());
         }
         assertTrue(output, Pattern.compile("/dev/SEAR_LIDAR_01 is pseudo-terminal /dev/\\S+, pseudo-terminal "
-            + Pattern.quote(link.toString())
-            + ", tcp port [1-9]\\d+, rfc2217 port [1-9]\\d+").matcher(output).find());
+            + Pattern.quote(link.toString()) + ", tcp port [1-9]\\d+, rfc2217 port [1-9]\\d+").matcher(output).find());
         assertTrue(output, Pattern.compile("link " + Pattern.quote(link.toString()) + " True port [1-9]\\d+")
             .matcher(output).find());
     }
@@ -121,8 +119,7 @@ public class ReadmeTest {
     @Test
     public void aProjectCanHaveItsExports() throws Exception {
         run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\nroomba = Dynamics('drive', 4)\ngps = GPS('gps', "
-            + "33.61, 182.5, -80.865)\n"
-            + DocBlock.of("docs/other-programs.md", "python").get(1));
+            + "33.61, 182.5, -80.865)\n" + DocBlock.of("docs/other-programs.md", "python").get(1));
         for (String[] one : new String[][] {{"lidar", "ttySICK"}, {"drive", "tcp:5001"}, {"gps", "rfc2217:5002"}}) {
             String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/" + one[0] + ".xml"));
             assertTrue(file, file.contains("<export>" + one[1] + "</export>"));

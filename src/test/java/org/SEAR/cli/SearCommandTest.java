@@ -77,11 +77,9 @@ public class SearCommandTest {
     @Test
     public void optionsReachTheSimulationAsSystemProperties() throws Exception {
         String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', "
-            + "'speed', 'seed', 'threads', "
-            + "'parameter.gain']]";
+            + "'speed', 'seed', 'threads', 'parameter.gain']]";
         assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--set",
-            "gain=0.5", "--port",
-            "none"));
+            "gain=0.5", "--port", "none"));
         assertEquals("[u'true', u'max', u'42', u'3', u'0.5']\n", out);
     }
 
@@ -123,16 +121,14 @@ public class SearCommandTest {
             String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
         assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim()
-            + "\ntoken: " + file
-            + " contains it"));
+            + "\ntoken: " + file + " contains it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }
 
     @Test
     public void anUnusedParameterIsReported() throws Exception {
         assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"),
-            "--set", "sped=2", "--port",
-            "none"));
+            "--set", "sped=2", "--port", "none"));
         assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script did not read parameter sped: "));
     }
 
@@ -182,8 +178,7 @@ public class SearCommandTest {
     public void anErrorInACallbackMakesTheRunExitWith1() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
             + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', "
-            + "'Serial')\nRuntime.start('t', 'Serial')\n"
-            + "while len(done) < 2: sleep(0.01)";
+            + "'Serial')\nRuntime.start('t', 'Serial')\nwhile len(done) < 2: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertTrue(err, err.contains("ValueError: in a callback"));
     }
@@ -192,8 +187,7 @@ public class SearCommandTest {
     public void anErrorInACallbackIsReportedAlthoughTheScriptEnds() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\nbegun = []\n"
             + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not "
-            + "defined\")\nRuntime.start('s', 'Serial')\n"
-            + "while not begun: sleep(0.01)";
+            + "defined\")\nRuntime.start('s', 'Serial')\nwhile not begun: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertTrue(err, err.contains("did you mean begun?") && !err.contains("KeyboardInterrupt"));
     }
@@ -202,8 +196,7 @@ public class SearCommandTest {
     public void aRepeatedErrorIsPrintedOnceWithItsCount() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
             + "def go(name):\n  done.append(1)\n  raise ValueError('again')\nfor i in range(5): Runtime.start('s%d' % "
-            + "i, 'Serial')\n"
-            + "while len(done) < 5: sleep(0.01)";
+            + "i, 'Serial')\nwhile len(done) < 5: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertEquals(err, 3, err.split("ValueError: again", -1).length);
         assertTrue(err, err.contains("this error occurred 5 times:"));
@@ -247,8 +240,7 @@ public class SearCommandTest {
         Path box = folder.getRoot().toPath().resolve("SEARproject/environment/Box1.xml");
         assertEquals(out + err, 0, sear("check", "."));
         Files.writeString(box, Files.readString(box).replaceAll("<mass>.*</mass>", "<mass>-1</mass>")
-            .replaceAll("<width>.*</width>",
-            "<width>x</width>"));
+            .replaceAll("<width>.*</width>", "<width>x</width>"));
         assertEquals(2, sear("check", "SEARproject"));
         assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ")
             && out.contains("width is \"x\", legal: "));
@@ -334,15 +326,13 @@ public class SearCommandTest {
                 "--port", "none"));
         assertEquals(out + err, 0, sear("check"));
         assertTrue(out, out.contains("warning: robot rover falls over forwards at rest: its centre of mass "
-            + "at x 0.000, y ")
-            && out.endsWith("SEARproject: no problems\n"));
+            + "at x 0.000, y ") && out.endsWith("SEARproject: no problems\n"));
     }
 
     @Test
     public void aLargeProjectShowsItsProgress() throws Exception {
         String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', "
-            + "1, 2, 3, 4)\n"
-            + "f = open('SEARproject/assets/large.dat', 'wb') if "
+            + "1, 2, 3, 4)\nf = open('SEARproject/assets/large.dat', 'wb') if "
             + "Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"
             + "f.write('x' * (20 << 20))\nf.close()\n"
             + "s = Runtime.start('s', 'SEAR')\ns.saveProject('large.sear')\ns.loadProject('large.sear')\n";
@@ -407,8 +397,7 @@ public class SearCommandTest {
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
         assertEquals(0, sear("sensors"));
         for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance",
-            "GPS", "Gyroscope", "IMU",
-            "LIDAR", "LineSensor",
+            "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor",
             "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));
         }

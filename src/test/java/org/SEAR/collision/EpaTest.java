@@ -65,8 +65,7 @@ public class EpaTest {
             double radius = shapes.size();
             double apart = (0.3 + 0.65 * shapes.random.nextDouble()) * (radius + 0.5);
             assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), apart * n[0],
-                apart * n[1], apart * n[2]),
-                RandomShapes.at(new ConvexEllipsoid(0.5, 0.5, 0.5), 0, 0, 0), 0));
+                apart * n[1], apart * n[2]), RandomShapes.at(new ConvexEllipsoid(0.5, 0.5, 0.5), 0, 0, 0), 0));
             assertEquals(what(i), apart - radius - 0.5, gjk.distance, 2 * CURVED);
         }
     }

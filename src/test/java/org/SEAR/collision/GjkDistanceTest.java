@@ -62,8 +62,7 @@ public class GjkDistanceTest {
                     RandomShapes.separation(first, second, gjk.nx, gjk.ny, gjk.nz), 2 * EXACT);
                 assertInside(what(i), second, gjk.onB);
                 assertInside(what(i), first, new double[] {gjk.onB[0] + gjk.distance * gjk.nx, gjk.onB[1]
-                    + gjk.distance * gjk.ny,
-                    gjk.onB[2] + gjk.distance * gjk.nz});
+                    + gjk.distance * gjk.ny, gjk.onB[2] + gjk.distance * gjk.nz});
             }
         }
         assertTrue(apart + " of 2000 were apart", apart > 500);

@@ -62,8 +62,7 @@ public class ManifoldClipperTest {
     public void aBoxOnItsEdgeTouchesWithBothEndsOfTheEdge() {
         double half = Math.PI / 8;
         PlacedConvex tilted = RandomShapes.place(new ConvexBox(0.1, 0.1, 0.3),
-            new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0,
-            0.1 * Math.sqrt(2), 0);
+            new double[] {0, 0, Math.sin(half), Math.cos(half)}, 0, 0.1 * Math.sqrt(2), 0);
         assertTrue(meet(tilted, RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
@@ -181,8 +180,7 @@ public class ManifoldClipperTest {
     @Test
     public void aDiscThatLiesFlatTouchesWithFourPointsOfItsRim() {
         assertTrue(meet(RandomShapes.at(ConvexRound.cylinder(0.2, 0.05), 1, 0.05, 2),
-            RandomShapes.at(new ConvexBox(20, 0.05, 20), 0,
-            -0.05, 0)));
+            RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0)));
         assertEquals(4, points.size());
         double x = 0;
         double z = 0;

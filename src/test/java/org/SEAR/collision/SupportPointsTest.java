@@ -104,8 +104,7 @@ public class SupportPointsTest {
                 double tilt = 0.05 * random.nextInt(4);
                 // few different heights and positions, so that many are equal
                 all.add(new double[] {Math.sin(tilt), Math.cos(tilt), 0, random.nextInt(5) / 5.0, 0,
-                    random.nextInt(5) / 5.0,
-                    random.nextInt(3) * 1e-4});
+                    random.nextInt(5) / 5.0, random.nextInt(3) * 1e-4});
             }
             List<double[]> first = choose(all, round % 2 == 0, round % 3 == 0);
             Collections.shuffle(all, random);

@@ -104,8 +104,7 @@ public class DeviceTypesTest {
         FakeContext line = new FakeContext();
         LidarSettings settings = LidarSettings.of(lidar, LidarProtocol.COLA, line);
         assertEquals("[spread 300.0 with resolution 0.5 is not available on an LMS111, legal: up to 270 with "
-            + "0.5 or 0.25;"
-            + " its device starts with 270 and 0.25,"
+            + "0.5 or 0.25; its device starts with 270 and 0.25,"
             + " 9600 baud is not available on an LMS111, legal: 100000000; its device starts with 100000000]",
                 line.warnings.toString());
         assertEquals("270.0 0.25 100000000", settings.spread + " " + settings.resolution + " " + settings.baud);

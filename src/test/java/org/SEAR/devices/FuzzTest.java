@@ -161,8 +161,7 @@ public class FuzzTest {
         for (OiModel model : OiModel.values()) {
             String flush = model == OiModel.CREATE ? null : new String(new char[600]).replace("\0", "80");
             fuzz(line -> new RoombaFirmware(model, 57600, true, line),
-                Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush,
-                "80 8E 03", " 0A 8E");
+                Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush, "80 8E 03", " 0A 8E");
         }
     }
 
@@ -181,8 +180,7 @@ public class FuzzTest {
     @Test
     public void neoM8n() {
         fuzz(line -> new NeoM8n(9600, 1, 0, line), Bytes.ints("B5 62 06 01 00 08 09 04 0A F0 07 03 14"), null,
-            "B5 62 0A 04 00 00 0E 34",
-            "B5 62 0A 04 FA 00");
+            "B5 62 0A 04 00 00 0E 34", "B5 62 0A 04 FA 00");
     }
 
     /** Whole frames with random payloads. */

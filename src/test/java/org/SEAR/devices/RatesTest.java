@@ -86,8 +86,7 @@ public class RatesTest {
     @Test
     public void scanners() {
         check(1 / (2 * 0.01332), org.SEAR.devices.lms.Devices::lms200,
-            "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5",
-            "02 00 02 00 20 48 58 08", "02 00 02 00 20 24 34 08");
+            "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5", "02 00 02 00 20 48 58 08", "02 00 02 00 20 24 34 08");
         check(10, line -> new Hokuyo(HokuyoModel.URG_04LX, HokuyoModel.USB, line), "'MD0044072501000\n");
         check(10.0 / 3, line -> new Hokuyo(HokuyoModel.URG_04LX, HokuyoModel.USB, line), "'MD0044072501200\n");
         check(40, line -> new Hokuyo(HokuyoModel.UTM_30LX, HokuyoModel.USB, line), "'MD0000108001000\n");

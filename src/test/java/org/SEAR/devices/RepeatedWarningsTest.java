@@ -20,8 +20,7 @@ public class RepeatedWarningsTest {
             }
         }
         assertEquals("[opcode 1 is unknown, opcode 10 is unknown (10 times so far), opcode 100 is unknown (100 "
-            + "times so far),"
-            + " opcode 1000 is unknown (1000 times so far)]", told.toString());
+            + "times so far), opcode 1000 is unknown (1000 times so far)]", told.toString());
         assertEquals("another cause", repeats.count("mode", "another cause"));
         repeats.clear();
         assertEquals("opcode 9 is unknown", repeats.count("opcode", "opcode 9 is unknown"));

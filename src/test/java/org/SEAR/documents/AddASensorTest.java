@@ -79,8 +79,7 @@ public class AddASensorTest {
     private String run(String commands) throws IOException, InterruptedException {
         Path output = Files.createTempFile(temporary.getRoot().toPath(), "output", ".txt");
         ProcessBuilder shell = new ProcessBuilder("sh", "-e", "-c", commands.replace(HOME, ""))
-            .directory(folder.toFile()).redirectErrorStream(true)
-            .redirectOutput(output.toFile());
+            .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile());
         shell.environment().put("SEAR", sear.toString());
         shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
         shell.environment().merge("PATH", System.getProperty("java.home") + "/bin", (path, first) -> first

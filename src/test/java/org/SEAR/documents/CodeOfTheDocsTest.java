@@ -118,8 +118,7 @@ public class CodeOfTheDocsTest {
             + "was not tried"));
     private static final String GRADLE = "./gradlew ";
     private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): "
-        + "sear.stopSimulation()\n"
-        + "sear.newProject()\nfloor = Floor('ground', 9, 9)\n";
+        + "sear.stopSimulation()\nsear.newProject()\nfloor = Floor('ground', 9, 9)\n";
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -141,8 +140,7 @@ public class CodeOfTheDocsTest {
             }
         }
         assertEquals("a block (or a line of commands) that no test runs: run it in a test that takes it by DocBlock, "
-            + "and name that test here", "",
-            String.join("\n", orphans));
+            + "and name that test here", "", String.join("\n", orphans));
         assertEquals("not in the pages any more", "[]", unused.toString());
     }
 

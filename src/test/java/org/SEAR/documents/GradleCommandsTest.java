@@ -111,8 +111,7 @@ public class GradleCommandsTest {
         List<String> measurements = calls().stream().filter(call -> call.startsWith(JMH)).collect(Collectors.toList());
         assertEquals(measurements.toString(), 1, measurements.size());
         List<String> command = new ArrayList<>(
-            List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "org.openjdk.jmh.Main"));
+            List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "org.openjdk.jmh.Main"));
         command.addAll(List.of(measurements.get(0).substring(JMH.length()).replace("\"", "").split(" ")));
         command.add(1, "-Djava.io.tmpdir=" + folder.getRoot());
         command.addAll(List.of("-f", "0", "-wi", "0", "-i", "1", "-r", "100ms"));

@@ -56,8 +56,7 @@ public class Python3Test {
         Files.writeString(folder.resolve("program.py"), program);
         Path output = folder.resolve("output.txt");
         Process process = new ProcessBuilder("python3", "program.py").directory(folder.toFile())
-            .redirectErrorStream(true)
-            .redirectOutput(output.toFile()).start();
+            .redirectErrorStream(true).redirectOutput(output.toFile()).start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         process.destroyForcibly();
         String text = Files.readString(output, StandardCharsets.UTF_8);
@@ -85,8 +84,7 @@ public class Python3Test {
     @Test
     public void theErrorContainsTheCause() throws Exception {
         String text = run("import urllib.error\nfrom robotlab import Service\ntry:\n    Service('sear').getReading('no "
-            + "such sensor')\n"
-            + "except urllib.error.HTTPError as error:\n    print(error.code, error.read().decode())\n");
+            + "such sensor')\nexcept urllib.error.HTTPError as error:\n    print(error.code, error.read().decode())\n");
         assertTrue(text, text.startsWith("500 ") && text.contains("no simulation runs: startSimulation() first"));
     }
 }

@@ -52,8 +52,7 @@ public class PythonFilesTest {
     @Test
     public void aFileIsTheOldOneOrTheNewOne() throws Exception {
         Process python = new ProcessBuilder("python3", "-c", SCRIPT, PACKAGE.resolve("_files.py").toAbsolutePath()
-            .toString(),
-            temporary.getRoot().getPath()).redirectErrorStream(true).start();
+            .toString(), temporary.getRoot().getPath()).redirectErrorStream(true).start();
         String printed = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(printed, 0, python.waitFor());
         assertEquals("the disk is full old ['old']\nnew 0o600 ['old', 'other']\nTrue\nTrue\n", printed);

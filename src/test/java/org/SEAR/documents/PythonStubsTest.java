@@ -46,17 +46,13 @@ public class PythonStubsTest {
     /** Without these names, {@code from sear import *} imports nothing for a type checker. */
     @Test
     public void theHintsHaveAllNamesOfAStarImport() throws IOException, InterruptedException {
-        Process python = new ProcessBuilder("python3", "-c", "import ast, sys\n"
-            + "def made(path):\n"
-            + "    tree = ast.parse(open(path).read())\n"
-            + "    words = []\n"
-            + "    for one in tree.body:\n"
+        Process python = new ProcessBuilder("python3", "-c", "import ast, sys\ndef made(path):\n"
+            + "    tree = ast.parse(open(path).read())\n    words = []\n    for one in tree.body:\n"
             + "        target = one.targets[0] if isinstance(one, ast.Assign) else getattr(one, 'target', None)\n"
             + "        if getattr(target, 'id', '') in ('__all__', 'OBJECTS'):\n"
             + "            words += [word.value for word in ast.walk(one.value) if isinstance(word, ast.Constant)]\n"
             + "    return words, [one.name for one in tree.body if hasattr(one, 'name')]\n"
-            + "hints, defined = made(sys.argv[1])\n"
-            + "assert hints == made(sys.argv[2])[0] + made(sys.argv[3])[0], hints\n"
+            + "hints, defined = made(sys.argv[1])\nassert hints == made(sys.argv[2])[0] + made(sys.argv[3])[0], hints\n"
             + "assert set(hints) <= set(defined) | {'python'}, set(hints) - set(defined)",
             file.toString(), PACKAGE.resolve("__init__.py").toString(), PACKAGE.resolve("_names.py").toString())
             .redirectErrorStream(true).start();
@@ -70,8 +66,7 @@ public class PythonStubsTest {
         Process python = new ProcessBuilder(
             "python3", "-c", "import ast, sys; tree = ast.parse(open(sys.argv[1]).read());"
             + " names = [one.name for one in tree.body if isinstance(one, ast.ClassDef)]; assert len(names) == "
-            + "len(set(names)), names",
-            file.toString()).redirectErrorStream(true).start();
+            + "len(set(names)), names", file.toString()).redirectErrorStream(true).start();
         assertEquals("", new String(python.getInputStream().readAllBytes()));
         assertEquals(0, python.waitFor());
     }

@@ -24,13 +24,11 @@ public class ScriptExamplesTest {
     /** Number of blocks with more than one example: preparation, callbacks, driving. */
     private static final int LONG_BLOCKS = 3;
     private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject",
-        "loadProject",
-        "importRobot", "importEnvironment", "copyTemplate");
+        "loadProject", "importRobot", "importEnvironment", "copyTemplate");
 
     /** Calls that need a vehicle; their examples run with the first block of its page. */
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed",
-        "getEncoder", "setServo",
-        "getServo", "setLed", "getLed", "setSteering");
+        "getEncoder", "setServo", "getServo", "setLed", "getLed", "setSteering");
 
     /** Calls that need a joint with a motor. */
     private static final List<String> JOINTS = Arrays.asList("setJointPosition", "setJointSpeed", "setJointPower",
@@ -38,8 +36,7 @@ public class ScriptExamplesTest {
 
     /** Calls that need a camera; their examples run with the world of its page. */
     private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures",
-        "getPointCloud", "getBlobs",
-        "saveImage", "exportCamera", "stopExportCamera");
+        "getPointCloud", "getBlobs", "saveImage", "exportCamera", "stopExportCamera");
 
     /** Restores the state that the page assumes before each example. */
     private static final String READY = String.join("\n",
@@ -50,8 +47,7 @@ public class ScriptExamplesTest {
         "    if sear.isSimulating() and (not running or special): sear.stopSimulation()",
         "    if running and not sear.isSimulating():",
         "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if "
-        + "os.path.exists('SEARproject/robot') else []):",
-        "            sear.loadProject('examples/sensors.sear')",
+        + "os.path.exists('SEARproject/robot') else []):", "            sear.loadProject('examples/sensors.sear')",
         "        sear.startSimulation()",
         "    if not running and not os.path.exists('SEARproject'): sear.loadProject('examples/sensors.sear')",
         "def vehicle():",

@@ -47,12 +47,10 @@ public class MadePicturesTest {
     @Test
     public void aMarkerHasItsCodeABlackEdgeAndAWhiteMargin() throws IOException {
         assertEquals(String.join("\n", "........", ".######.", ".#.#..#.", ".##.#.#.", ".###..#.", ".###.##.",
-            ".######.", "........", ""),
-            cells(read("made/marker/DICT_4X4_50/0.png"), 8));
+            ".######.", "........", ""), cells(read("made/marker/DICT_4X4_50/0.png"), 8));
         String tag = cells(read("made/marker/APRILTAG_36h11/0.png"), 10);
         assertEquals(String.join("\n", "..........", ".########.", ".###.####.", ".##..#.##.", ".####.#.#.",
-            ".####..##.", ".#.#...##.",
-            ".#.#.#..#.", ".########.", "..........", ""), tag);
+            ".####..##.", ".#.#...##.", ".#.#.#..#.", ".########.", "..........", ""), tag);
     }
 
     @Test

@@ -25,8 +25,7 @@ public class HeightTilesTest {
             heights[i] = (float) (20 * Math.sin(i / 517 * 0.03) * Math.cos(i % 517 * 0.04) + 2 * random.nextDouble());
         }
         return new HeightField(601, 517, HeightTiles.exact(-7512.3), HeightTiles.exact(-7001.7),
-            HeightTiles.exact(25.03), HeightTiles.exact(27.1),
-            heights);
+            HeightTiles.exact(25.03), HeightTiles.exact(27.1), heights);
     }
 
     /** Returns the same ground in tiles. */

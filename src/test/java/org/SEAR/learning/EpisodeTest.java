@@ -279,8 +279,7 @@ public class EpisodeTest {
         assertRefused("no sensor is called \"ping\", legal: bumper, eye",
             () -> new Episode(read, "", List.of("ping"), List.of(), 1, 1));
         assertRefused("robot roomba observes nothing: sensors and things are empty, legal: sensors of eye, bumper, or "
-            + "names of objects in things",
-            () -> new Episode(read, "", List.of(), List.of(), 1, 1));
+            + "names of objects in things", () -> new Episode(read, "", List.of(), List.of(), 1, 1));
         Episode episode = new Episode(read, "roomba", null, List.of(), 0.5, 1);
         assertRefused("robot roomba: wheel speeds are 0.6 and NaN m/s, legal: -0.5 to 0.5",
             () -> episode.step(0.6, Double.NaN, 1));

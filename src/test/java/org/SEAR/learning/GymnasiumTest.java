@@ -87,8 +87,7 @@ public class GymnasiumTest {
         assertTrue(text, text.contains("four worlds here, two elsewhere"));
         assertTrue(text, text.contains("forked ones end"));
         assertTrue(text, text.contains("use the start method \"spawn\", for example gymnasium.make_vec(..., "
-            + "vectorization_mode=\"async\", "
-            + "vector_kwargs={\"context\": \"spawn\"})"));
+            + "vectorization_mode=\"async\", vector_kwargs={\"context\": \"spawn\"})"));
     }
 
     @Test
@@ -135,8 +134,7 @@ public class GymnasiumTest {
         String text = run(1, blocked + File.pathSeparator + PACKAGES,
             ROOT.resolve("examples/python3/learn_wall_follower.py"));
         assertTrue(text, text.matches("(?s).* is missing\\. Install the requirements: pip install \\./python\\[gym\\] "
-            + "stable-baselines3 "
-            + "matplotlib\n"));
+            + "stable-baselines3 matplotlib\n"));
         assertFalse(text, text.contains("Traceback"));
     }
 

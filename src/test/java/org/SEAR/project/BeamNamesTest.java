@@ -75,8 +75,7 @@ public class BeamNamesTest {
             + " Distance \"front_LV-EZ1-A\" gets the beam LV-EZ1-A of its name: Distance(name, beam) chooses another,"
             + " Distance \"ping\" gets the beam PING of its name: Distance(name, beam) chooses another,"
             + " Distance \"stopping\" gets the beam ultrasonic, as its name contains no beam's: Distance(name, beam) "
-            + "chooses another]",
-            grammar.said.toString());
+            + "chooses another]", grammar.said.toString());
     }
 
     @Test
@@ -89,7 +88,6 @@ public class BeamNamesTest {
         assertEquals("Parallax PING)))", eye.getBeam());
         assertEquals("[Distance \"eye\": beam \"Sharp GP2Y0A02YK0F (infrared)\" is taken as GP2Y0A02YK0F,"
             + " Distance \"eye\": beam \"HC SR04\" is taken as HC-SR04, Distance \"eye\": beam \"Parallax PING\" is "
-            + "taken as Parallax PING)))]",
-            grammar.said.toString());
+            + "taken as Parallax PING)))]", grammar.said.toString());
     }
 }

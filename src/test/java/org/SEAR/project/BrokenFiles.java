@@ -33,8 +33,7 @@ public final class BrokenFiles {
     public static List<BrokenFiles> all() throws IOException {
         List<BrokenFiles> cases = new ArrayList<>();
         try (BufferedReader in = new BufferedReader(
-            new InputStreamReader(BrokenFiles.class.getResourceAsStream("broken-files.txt"),
-                StandardCharsets.UTF_8))) {
+            new InputStreamReader(BrokenFiles.class.getResourceAsStream("broken-files.txt"), StandardCharsets.UTF_8))) {
             for (String line = in.readLine(); line != null; line = in.readLine()) {
                 if (line.startsWith("# ")) {
                     cases.add(new BrokenFiles(line.substring(2)));

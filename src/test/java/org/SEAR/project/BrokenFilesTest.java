@@ -67,8 +67,7 @@ public class BrokenFilesTest {
     @Test
     public void aTruncatedFileIsReportedAsSuch() {
         String whole = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a box -->\n<Box>\n  <name>b &amp; c</name>\n  "
-            + "<length>1.5</length>\n"
-            + "<!-- w --><width>1</width>\n<height>1</height>\n</Box>";
+            + "<length>1.5</length>\n<!-- w --><width>1</width>\n<height>1</height>\n</Box>";
         for (int length = 1; length < whole.length(); length++) {
             String cut = whole.substring(0, length);
             ProblemList problems = new ProblemList();
@@ -88,8 +87,7 @@ public class BrokenFilesTest {
     @Test
     public void aMissingFolderIsAClearProblem() {
         assertEquals(List.of(project.folder() + ": there is no such folder, legal: a SEARproject folder; creating an "
-            + "object makes one"),
-            problems(project.folder()));
+            + "object makes one"), problems(project.folder()));
     }
 
     @Test(timeout = 60_000)

@@ -26,8 +26,7 @@ public class CameraObjectTest {
     public void atFirstItMakesColoursOf320By240() {
         Camera camera = new Camera("eye");
         assertEquals("color 320 x 240, 60.0 degrees, 10.0 Hz", camera.getKind() + " " + camera.getWidth() + " x "
-            + camera.getHeight() + ", "
-            + camera.getFieldOfView() + " degrees, " + camera.getRate() + " Hz");
+            + camera.getHeight() + ", " + camera.getFieldOfView() + " degrees, " + camera.getRate() + " Hz");
         assertEquals(160 / Math.tan(Math.toRadians(30)), camera.getFocalLength(), 1e-9);
         assertNull(camera.getCx());
         camera.setKind("colour");

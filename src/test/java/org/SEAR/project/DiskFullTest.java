@@ -86,8 +86,7 @@ public class DiskFullTest {
     private String runLimited(int limit) throws IOException, InterruptedException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
         Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + limit + "; exec \"$0\" \"$@\"", java,
-            "-XX:-UsePerfData", "-Xshare:auto",
-            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
+            "-XX:-UsePerfData", "-Xshare:auto", "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
             DiskFullTest.class.getName(), String.valueOf(limit), project.getRoot().getPath())
             .redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -125,12 +125,10 @@ public class DoorTest {
         refused(() -> lidar.setPorts(null, "a"), "legal: two different names");
         refused(() -> lidar.LMS(2), "lms is 2, legal: 0, 1");
         refused(() -> lidar.setModel("LMS400"), "LIDAR \"lidar\": model is \"LMS400\", legal: LMS200, LMS221, LMS291, "
-            + "LMS111, TiM561, URG-04LX,",
-            " UTM-30LX, RPLIDAR-A1");
+            + "LMS111, TiM561, URG-04LX,", " UTM-30LX, RPLIDAR-A1");
         LIDAR wide = new LIDAR("wide", 10, 270, 0.3);
         refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or "
-            + "0.25; 180 with 1 or 0.5;",
-            "without setPorts every fan", "; setModel has it with RPLIDAR-A1");
+            + "0.25; 180 with 1 or 0.5;", "without setPorts every fan", "; setModel has it with RPLIDAR-A1");
         wide.LMS(0);
         wide.setPorts("a", "b");
         refused(() -> wide.LMS(1), "LIDAR \"wide\": at a port there is an LMS200");

@@ -47,11 +47,9 @@ public class FloorPictureTest {
         new Floor("board", 0.7, 0.5, TRACK);
         new Floor("long", 2, 14, TRACK);
         assertEquals("[environment/board.xml: the picture track.png of Floor \"board\" is stretched 1.96 times in "
-            + "height: it has 70 x 50 pixels,"
-            + " and the floor is 0.7 m long and 0.5 m wide; a width of 0.98 m fits,"
+            + "height: it has 70 x 50 pixels, and the floor is 0.7 m long and 0.5 m wide; a width of 0.98 m fits,"
             + " environment/long.xml: the picture track.png of Floor \"long\" is stretched 5.00 times in width: it has "
-            + "70 x 50 pixels, and the floor"
-            + " is 2 m long and 14 m wide; a width of 2.8 m fits]", warnings());
+            + "70 x 50 pixels, and the floor is 2 m long and 14 m wide; a width of 2.8 m fits]", warnings());
     }
 
     @Test
@@ -59,7 +57,6 @@ public class FloorPictureTest {
         picture(70, 50);
         new Floor("board", 0.7, 0.5, TRACK).setImageSize(0.1);
         assertEquals("[environment/board.xml: the picture track.png of Floor \"board\" is stretched 1.40 times in "
-            + "height: it has 70 x 50 pixels,"
-            + " and each repetition is a square]", warnings());
+            + "height: it has 70 x 50 pixels, and each repetition is a square]", warnings());
     }
 }

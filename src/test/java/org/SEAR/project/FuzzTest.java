@@ -101,8 +101,7 @@ public class FuzzTest {
     public void changedBundlesAreOpenedOrRefused() throws Exception {
         List<byte[]> originals = new ArrayList<>();
         for (String name : new String[] {"golden/version1-sensors.sear", "dissertation/macos-archive-utility.sear",
-            "dissertation/folder-by-zip.sear",
-            "dissertation/windows-powershell.sear"}) {
+            "dissertation/folder-by-zip.sear", "dissertation/windows-powershell.sear"}) {
             originals.add(Bundle.class.getResourceAsStream(name).readAllBytes());
         }
         Random random = new Random(Fuzz.SEED);

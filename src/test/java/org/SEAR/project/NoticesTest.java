@@ -88,8 +88,7 @@ public class NoticesTest {
         assertEquals("[]", said.toString());
         lidar.setRange(11);
         assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which reports at most 10 m, but the range is 11 "
-            + "m: read greater distances"
-            + " with sear.getLidarResult(\"scanner\")]", said.toString());
+            + "m: read greater distances with sear.getLidarResult(\"scanner\")]", said.toString());
         said.clear();
         lidar.setResolution(0.25);
         assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 "
@@ -131,8 +130,7 @@ public class NoticesTest {
     public void foreignObjectsAreNamedInOneLine() {
         String answer = ofOthers("Box('new name', 1, 1, 1, 0)", "new name", "old name");
         assertEquals("in the project, but not made by this script: \"old name\" (from an earlier run or another "
-            + "script; call"
-            + " sear.newProject() first to start with an empty project)", answer);
+            + "script; call sear.newProject() first to start with an empty project)", answer);
         answer = ofOthers("Box('new name', 1, 1, 1, 0)", "a", "b", "c", "d", "e", "f", "g");
         assertTrue(answer, answer.contains("\"a\", \"b\", \"c\", \"d\", \"e\" and 2 more (from"));
     }

@@ -33,8 +33,7 @@ public class ObjectFilesTest {
     public final ProjectRule project = new ProjectRule();
 
     private static final String BOX = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Box>\n  <name>Box1_name</name>\n  "
-        + "<x>-1.5</x>\n  <y>1.25</y>\n"
-        + "  <z>0</z>\n  <rx>45</rx>\n  <ry>0</ry>\n  <rz>0</rz>\n"
+        + "<x>-1.5</x>\n  <y>1.25</y>\n  <z>0</z>\n  <rx>45</rx>\n  <ry>0</ry>\n  <rz>0</rz>\n"
         + "  <mass>0</mass>\n  <scaleX>1</scaleX>\n  <scaleY>1</scaleY>\n  <scaleZ>1</scaleZ>\n"
         + "  <visibleToSensors>true</visibleToSensors>\n  <length>0.25</length>\n  <width>0.25</width>\n  "
         + "<height>0.25</height>\n</Box>\n";

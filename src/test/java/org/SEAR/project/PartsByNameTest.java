@@ -35,8 +35,7 @@ public class PartsByNameTest {
         assertSame(rover.getComponents().get(2), rover.getPart("leftMotor"));
         assertSame(rover.getWheels().get(0), rover.getPart("left"));
         assertEquals("SEARrobot \"rover\": part is \"Left\", legal: drive, body, leftMotor, rightMotor, left, "
-            + "right, caster",
-            refused(() -> rover.getPart("Left")));
+            + "right, caster", refused(() -> rover.getPart("Left")));
     }
 
     @Test
@@ -59,8 +58,7 @@ public class PartsByNameTest {
         Arduino uno = new Arduino("uno");
         String nothing = refused(() -> uno.wire(9, "leftMotor"));
         assertEquals("Arduino \"uno\": part is \"leftMotor\", legal: a component of the robot; no robot has one "
-            + "to wire yet,"
-            + " call addComponent(...) first", nothing);
+            + "to wire yet, call addComponent(...) first", nothing);
         Robots.rover("rover");
         assertEquals("Arduino \"uno\": part is \"engine\", legal: a component of the robot, leftMotor, rightMotor",
             refused(() -> uno.wire(9, "engine")));
@@ -76,8 +74,7 @@ public class PartsByNameTest {
         SEARrobot rover = Robots.rover("rover");
         Arduino uno = new Arduino("uno");
         assertEquals("Arduino \"uno\": \"leftMotor\" is on several robots, legal: a part of Arduino "
-            + "\"uno\"'s own robot;"
-            + " call robot.addComponent(...) first", refused(() -> uno.wire(9, "leftMotor")));
+            + "\"uno\"'s own robot; call robot.addComponent(...) first", refused(() -> uno.wire(9, "leftMotor")));
         rover.addComponent(uno);
         uno.wire(9, "leftMotor");
         assertEquals("9 leftMotor pwm", wires(uno));

@@ -140,8 +140,7 @@ public final class RandomProjects {
         place(robot);
         if (random.nextBoolean()) {
             Dynamics dynamics = new Dynamics(name(), number(0.001, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e6),
-                number(0, 1e9),
-                number(0, 100), 0, 0.1, 0, 0, number(-360, 360), 180);
+                number(0, 1e9), number(0, 100), 0, 0.1, 0, 0, number(-360, 360), 180);
             dynamics.setPorts("/dev/uart" + counter, "/dev/user" + counter);
             robot.addComponent(dynamics);
         }
@@ -243,8 +242,7 @@ public final class RandomProjects {
         List<BeamCone> cones = new ArrayList<>();
         for (int i = random.nextInt(5); i >= 0; i--) {
             cones.add(new BeamCone(number(0, 90), number(0.001, 10000), String.format("#%06x", random.nextInt(1 << 24)),
-                1 + random.nextInt(360),
-                number(-180, 180), number(-90, 90)));
+                1 + random.nextInt(360), number(-180, 180), number(-90, 90)));
         }
         return cones;
     }

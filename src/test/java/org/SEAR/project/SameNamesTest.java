@@ -47,10 +47,8 @@ public class SameNamesTest {
         "        ping.move(0, 0.5, 0.1 if x else 0.2)",
         "");
     private static final Set<String> FILES = Set.of("environment/floor.xml", "environment/wall.xml", "robot/rover.xml",
-        "robot/scout.xml",
-        "robot/tug.xml", "robot/rover/body.xml", "robot/rover/drive.xml", "robot/rover/ping.xml",
-        "robot/scout/body.xml", "robot/scout/drive.xml",
-        "robot/ping.xml", "robot/body.xml", "robot/drive.xml");
+        "robot/scout.xml", "robot/tug.xml", "robot/rover/body.xml", "robot/rover/drive.xml", "robot/rover/ping.xml",
+        "robot/scout/body.xml", "robot/scout/drive.xml", "robot/ping.xml", "robot/body.xml", "robot/drive.xml");
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -227,8 +225,7 @@ public class SameNamesTest {
 
     private void byHand(String robot, String drive, String eye) throws Exception {
         project.put("robot/" + robot + ".xml", "<SEARrobot>\n<name>" + robot + "</name>\n<component>" + drive
-            + "</component>\n<component>" + eye
-            + "</component>\n</SEARrobot>");
+            + "</component>\n<component>" + eye + "</component>\n</SEARrobot>");
         project.put("robot/" + drive + ".xml", "<Dynamics><name>drive</name><mass>3</mass></Dynamics>");
         project.put("robot/" + eye + ".xml", "<Compass>\n<name>eye</name>\n</Compass>");
     }
@@ -257,15 +254,13 @@ public class SameNamesTest {
         String ports = "<uartPort>a</uartPort>\n<userPort>b</userPort></Dynamics>";
         project.put("robot/drive.xml", "<Dynamics><name>drive</name><mass>3</mass>" + ports);
         refused("robot/drive.xml:1: uartPort is \"a\", legal: a port of its own; robot/rover/drive.xml has it too",
-            "robot/rover/drive.xml",
-            "<Dynamics><name>drive</name><mass>3</mass>" + ports);
+            "robot/rover/drive.xml", "<Dynamics><name>drive</name><mass>3</mass>" + ports);
         project.put("robot/Drive.xml", "<Dynamics><name>Drive</name><mass>3</mass></Dynamics>");
         refused("legal: a name that differs from that of robot/Drive.xml by more than capitals",
             "robot/tug.xml", "<SEARrobot><name>tug</name><component>Drive</component></SEARrobot>");
         project.put("robot/eye.xml", "<Compass><name>eye</name></Compass>");
         refused("robot/rover/eye.xml:2: name is \"eye\", legal: a name of its own (capitals don't count); "
-            + "robot/eye.xml has it too",
-            "robot/rover.xml", "<SEARrobot><name>rover</name>"
+            + "robot/eye.xml has it too", "robot/rover.xml", "<SEARrobot><name>rover</name>"
                 + "<component>rover/drive</component><component>eye</component>"
             + "<component>rover/eye</component></SEARrobot>");
     }

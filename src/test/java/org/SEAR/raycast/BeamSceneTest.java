@@ -225,8 +225,7 @@ public class BeamSceneTest {
     public void aFanOfAFullTurnSeesAllAround() {
         for (int side = 0; side < 4; side++) {
             at(scene.addBox(side % 2 == 0 ? 0.5 : 5, 1, side % 2 == 0 ? 5 : 0.5, BeamScene.WORLD), side == 0 ? 3
-                : side == 2 ? -3 : 0, 0,
-                side == 1 ? 3 : side == 3 ? -3 : 0);
+                : side == 2 ? -3 : 0, 0, side == 1 ? 3 : side == 3 ? -3 : 0);
         }
         scene.commit();
         for (double start : new double[] {-Math.PI, 0, 1, 100}) {

@@ -87,8 +87,7 @@ public class FleetWorkTest {
         BeamScene scene = simulation.getRobots().get(0).getTruth().scene();
         RayCaster beams = BeamScene.casters().rays;
         double[] before = {scene.getMoves(), 0, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
-            + beams.tested,
-            threads.getThreadAllocatedBytes(id)};
+            + beams.tested, threads.getThreadAllocatedBytes(id)};
         long busy = 0;
         for (int i = 0; i < STEPS; i++) {
             simulation.step();
@@ -98,8 +97,7 @@ public class FleetWorkTest {
             }
         }
         double[] after = {scene.getMoves(), busy, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
-            + beams.tested,
-            threads.getThreadAllocatedBytes(id)};
+            + beams.tested, threads.getThreadAllocatedBytes(id)};
         for (int i = 0; i < after.length; i++) {
             after[i] -= before[i];
         }

@@ -58,8 +58,7 @@ public class HeightBeamsTest {
             BeamScene scene = new BeamScene();
             BeamScene mesh = new BeamScene();
             Pose pose = number % 3 == 2 ? Pose.ofDegrees(between(-5, 5), between(-5, 5), between(-5, 5),
-                between(-180, 180), between(-180, 180),
-                between(-180, 180)) : Pose.IDENTITY;
+                between(-180, 180), between(-180, 180), between(-180, 180)) : Pose.IDENTITY;
             place(scene, scene.addHeights(field, BeamScene.WORLD), pose);
             place(mesh, mesh.addMesh(Grounds.triangles(field), 1, 1, 1, BeamScene.WORLD), pose);
             int met = 0;
@@ -238,8 +237,7 @@ public class HeightBeamsTest {
             double x = between(-5, 5);
             double z = between(-5, 5);
             scene.castFan(Pose.ofDegrees(x, field.height(x, z) + 0.3, z, 0, between(-180, 180), 0), -Math.PI / 2,
-                Math.PI / 360, BEAMS, 8,
-                BeamScene.WORLD, ranges, null);
+                Math.PI / 360, BEAMS, 8, BeamScene.WORLD, ranges, null);
         }
         String fan = (work.nodes() - nodes) / 100 + " blocks and " + (work.triangles - triangles) / 100
             + " triangles a fan";

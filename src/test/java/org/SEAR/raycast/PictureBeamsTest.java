@@ -222,8 +222,7 @@ public class PictureBeamsTest {
         for (int i = 0; i < 20; i++) {
             long before = threads.getThreadAllocatedBytes(id);
             world.scene.castPicture(beams, pose, 0, 9, BeamScene.WORLD, 0, beams.tilesAcross * beams.tilesDown,
-                cast.depths, cast.shapes,
-                cast.parts);
+                cast.depths, cast.shapes, cast.parts);
             least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
         }
         assertEquals(0, least);

@@ -84,8 +84,7 @@ public class PictureWorkTest {
         }
         double pixels = (double) pictures * WIDTH * HEIGHT;
         String measured = String.format(Locale.ROOT, "%.2f blocks and %.2f triangles a pixel; one by one it is "
-            + "%.1f and %.1f", picture[0] / pixels,
-            picture[1] / pixels, single[0] / pixels, single[1] / pixels);
+            + "%.1f and %.1f", picture[0] / pixels, picture[1] / pixels, single[0] / pixels, single[1] / pixels);
         assertTrue(measured, picture[0] < 2.2 * pixels && picture[1] < 4 * pixels && picture[0] < single[0] / 8);
     }
 

@@ -28,8 +28,7 @@ public class WorkTest {
         double half = Math.sqrt(5.0 * count) / 2;
         for (int i = 0; i < count; i++) {
             Pose pose = Pose.ofDegrees(world.between(-half, half), 0, world.between(-half, half),
-                world.between(-180, 180),
-                world.between(-180, 180), world.between(-180, 180));
+                world.between(-180, 180), world.between(-180, 180), world.between(-180, 180));
             world.place(world.scene.addBox(world.between(0.1, 0.5), world.between(0.1, 0.5), world.between(0.1, 0.5),
                 BeamScene.WORLD), pose);
         }
@@ -103,8 +102,7 @@ public class WorkTest {
         RandomScenes crowd = new RandomScenes(3);
         for (int i = 0; i < 1000; i++) {
             Pose pose = Pose.ofDegrees(crowd.between(-4.5, 4.5), 0.5, crowd.between(-4.5, 4.5),
-                crowd.between(-180, 180),
-                crowd.between(-180, 180), crowd.between(-180, 180));
+                crowd.between(-180, 180), crowd.between(-180, 180), crowd.between(-180, 180));
             crowd.place(crowd.scene.addBox(crowd.between(0.125, 0.5), crowd.between(0.125, 0.5),
                 crowd.between(0.125, 0.5), BeamScene.WORLD), pose);
         }
@@ -119,8 +117,7 @@ public class WorkTest {
         for (int i = 0; i < 1000; i++) {
             double angle = world.between(-Math.PI, Math.PI);
             scene.cast(world.between(-size, size), world.between(0.2, 0.8), world.between(-size, size), Math.sin(angle),
-                0, Math.cos(angle), 8,
-                BeamScene.WORLD, null);
+                0, Math.cos(angle), 8, BeamScene.WORLD, null);
         }
         String measured = (work.nodes() - nodes) / 1000.0 + " nodes, " + (work.tested + work.triangles - items) / 1000.0
             + " items a beam " + where;

@@ -128,8 +128,7 @@ public class OrdersTest {
             }
         });
         assertEquals(List.of("30 SPEED engine 10.0", "30 STEERING car 20.0", "30 BRIGHTNESS car/lamp 0.25",
-            "90 ANGLE neck 60.0",
-            "150 POWER engine -0.5"), orders);
+            "90 ANGLE neck 60.0", "150 POWER engine -0.5"), orders);
     }
 
     /** Returns the offset of the servo's command in the file. */
@@ -165,8 +164,7 @@ public class OrdersTest {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             world.getLines().stream().filter(line -> line.getObjectName().equals("gps")).findFirst()
-                .orElseThrow(AssertionError::new)
-                .setSink((bytes, starts) -> callback.accept(world));
+                .orElseThrow(AssertionError::new).setSink((bytes, starts) -> callback.accept(world));
             for (int i = 0; i < 60; i++) {
                 run(world, 10);
                 lidar(world).write(SCAN);

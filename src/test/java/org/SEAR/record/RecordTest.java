@@ -308,8 +308,7 @@ public class RecordTest {
             last[1] = world.read("compass").numbers()[0];
         }
         Series series = Series.of(RunRecord.open(file()),
-            List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent",
-            "rover speed wanted"), 10000);
+            List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent", "rover speed wanted"), 10000);
         assertEquals(196, series.times.length);
         assertEquals(390 / 60.0, series.times[195], 1e-9);
         assertEquals(last[0], series.values[0][195], 1e-12);

@@ -55,8 +55,7 @@ public class StabilityTest {
         assertEquals(-Math.toDegrees(Math.atan2(0.05, 0.4)), stability.degrees, EXACT);
         assertTrue(stability.isCritical());
         assertEquals("falls over forwards at rest: its centre of mass at x 0.000, y 0.300, z 0.350 of its "
-            + "frame is 0.050 m"
-            + " outside its wheels. Put weight lower or further inwards, or its wheels further apart",
+            + "frame is 0.050 m outside its wheels. Put weight lower or further inwards, or its wheels further apart",
                 stability.getWords());
     }
 

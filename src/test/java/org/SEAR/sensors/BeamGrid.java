@@ -116,8 +116,7 @@ final class BeamGrid {
         for (double metres = 0; metres * SCALE < width / 2; metres += 0.5) {
             for (double side : metres == 0 ? new double[] {0} : new double[] {-metres, metres}) {
                 add(svg, "<path d=\"M%.0f 0V%.0f\" stroke=\"#ddd\"/><text x=\"%.0f\" y=\"16\" "
-                    + "text-anchor=\"middle\">%.1f</text>", side * SCALE,
-                    -height, side * SCALE, Math.abs(side));
+                    + "text-anchor=\"middle\">%.1f</text>", side * SCALE, -height, side * SCALE, Math.abs(side));
             }
         }
     }

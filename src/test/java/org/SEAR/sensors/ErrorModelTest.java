@@ -159,8 +159,7 @@ public class ErrorModelTest {
     public void theGeneratorsNumbersAreForEver() {
         CounterRandom random = new CounterRandom(42, "ping");
         assertEquals("saved runs replay with later versions", GOLDEN, random.bits(1, 2, 3) + " "
-            + random.uniform(4, 5, 6) + " "
-            + random.normal(7, 8, 9));
+            + random.uniform(4, 5, 6) + " " + random.normal(7, 8, 9));
     }
 
     @Test

@@ -28,8 +28,7 @@ public class MagneticModelTest {
 
     private static List<double[]> rows(String resource) throws IOException {
         try (BufferedReader in = new BufferedReader(
-            new InputStreamReader(MagneticModelTest.class.getResourceAsStream(resource),
-                StandardCharsets.US_ASCII))) {
+            new InputStreamReader(MagneticModelTest.class.getResourceAsStream(resource), StandardCharsets.US_ASCII))) {
             return in.lines().filter(line -> !line.startsWith("#"))
                 .map(line -> java.util.Arrays.stream(line.trim().split("\\s+"))
                     .mapToDouble(Double::parseDouble).toArray())

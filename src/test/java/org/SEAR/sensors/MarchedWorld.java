@@ -127,8 +127,7 @@ final class MarchedWorld {
                 if (solid.owner == BeamScene.WORLD || solid.owner != ignoredOwner) {
                     Pose p = solid.pose;
                     double[] in = p.rotateBack(origin[0] + far * direction[0] - p.x,
-                        origin[1] + far * direction[1] - p.y,
-                        origin[2] + far * direction[2] - p.z);
+                        origin[1] + far * direction[1] - p.y, origin[2] + far * direction[2] - p.z);
                     nearest = Math.min(nearest, solid.surface.distance(in[0], in[1], in[2]));
                 }
             }

@@ -83,8 +83,7 @@ public class SurfaceSensorsTest {
     public void aPictureLiesOnAFloorAsTheWindowShowsIt() throws Exception {
         new Floor("floor", 2, 2, picture("four.png", 2, RED, GREEN, BLUE, WHITE));
         plate(new ColorSensor("red", -0.3, 0, 0.3), new ColorSensor("green", -0.3, 0, -0.3),
-            new ColorSensor("blue", 0.3, 0, 0.3),
-            new ColorSensor("white", 0.3, 0, -0.3));
+            new ColorSensor("blue", 0.3, 0, 0.3), new ColorSensor("white", 0.3, 0, -0.3));
         try (Simulation world = settled()) {
             assertColor("upper left", RED, world.read("red"));
             assertColor("upper right", GREEN, world.read("green"));
@@ -176,8 +175,7 @@ public class SurfaceSensorsTest {
         terrain.setSize(2, 2, -1, 1.008);
         terrain.setImage(picture("four.png", 2, RED, GREEN, BLUE, WHITE));
         plate(new ColorSensor("north west", 0.3, 0, -0.3), new ColorSensor("north east", 0.3, 0, 0.3),
-            new ColorSensor("south west", -0.3, 0, -0.3),
-            new ColorSensor("south east", -0.3, 0, 0.3));
+            new ColorSensor("south west", -0.3, 0, -0.3), new ColorSensor("south east", -0.3, 0, 0.3));
         try (Simulation world = settled()) {
             assertColor("north west", RED, mostly(world.read("north west")));
             assertColor("north east", GREEN, mostly(world.read("north east")));

@@ -50,8 +50,7 @@ public class AnswersClockTest {
         thread.join();
         Arrays.sort(millis);
         System.out.printf("answers after %.2f ms in the median, %.1f ms for 99 of 100; %d of %d in the step of "
-            + "their question%n",
-            millis[QUESTIONS / 2], millis[QUESTIONS * 99 / 100], early, QUESTIONS);
+            + "their question%n", millis[QUESTIONS / 2], millis[QUESTIONS * 99 / 100], early, QUESTIONS);
         assertTrue(early + " of " + QUESTIONS, early > QUESTIONS / 10);
         assertEquals(0, answers.size());
     }

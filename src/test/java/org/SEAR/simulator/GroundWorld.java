@@ -53,8 +53,7 @@ public final class GroundWorld {
             builder.addTo(scenes, 0);
             robot = new RobotModel(builder, 0, scenes,
                 new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0,
-                    Earth.of(project, object), 0,
-                    WorkerPool.ALONE),
+                    Earth.of(project, object), 0, WorkerPool.ALONE),
                 new VirtualWalls(scenes), warnings::add);
         }
         StartPoses.moveOut(physics.getBodies(), scenes.grounds(), warnings);

@@ -38,8 +38,7 @@ public class ProjectDigestsTest {
     private static final byte[] STREAM = Bytes.bytes("80 83 94 03 07 13 14");
     /** Requests scans from any scanner: LMS200, CoLa, SCIP, RPLIDAR. */
     private static final List<byte[]> SCANS = List.of(Bytes.bytes("02 00 02 00 20 24 34 08"),
-        ascii("\2sEN LMDscandata 1\3"),
-        ascii("BM\nMS0044072501000\n"), Bytes.bytes("A5 20"));
+        ascii("\2sEN LMDscandata 1\3"), ascii("BM\nMS0044072501000\n"), Bytes.bytes("A5 20"));
 
     @Rule
     public final ProjectRule project = new ProjectRule();

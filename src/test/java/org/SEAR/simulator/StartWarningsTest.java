@@ -53,8 +53,7 @@ public class StartWarningsTest {
         new Floor("floor", 20, 20);
         double z = 0;
         for (Function<String, SEARrobot> maker : List.<Function<String, SEARrobot>>of(
-            Robots::rover, Robots::fourWheeled, Robots::car, Robots::create,
-            Robots::create2, Robots::roomba400)) {
+            Robots::rover, Robots::fourWheeled, Robots::car, Robots::create, Robots::create2, Robots::roomba400)) {
             maker.apply("robot" + (int) z).move(0, 0, z++);
         }
         assertEquals(List.of(), warnings());
@@ -126,8 +125,7 @@ public class StartWarningsTest {
         assertEquals(List.of(), warnings());
         pair.setMass(100);
         assertTold("contacts of a model of pair use its convex hull, which has 2.0 times the volume inside "
-            + "its triangles",
-            "setCollision(\"parts\")");
+            + "its triangles", "setCollision(\"parts\")");
         pair.setCollision("parts");
         assertEquals(List.of(), warnings());
         pair.setCollision(null);
@@ -175,8 +173,7 @@ public class StartWarningsTest {
         rover.addComponent(new Motor("leftMotor", rover.getWheels().get(0), 0.0005, 20));
         rover.addComponent(new Motor("rightMotor", rover.getWheels().get(1), 0.0005, 20));
         assertTold("robot robot weighs 2 kg, but its motors push it with only 0.020 N in all: it needs 10 s to "
-            + "reach 0.1 m/s",
-            "stallTorque of leftMotor, now 0.0005 N m");
+            + "reach 0.1 m/s", "stallTorque of leftMotor, now 0.0005 N m");
     }
 
     @Test

@@ -47,8 +47,7 @@ public final class Worlds {
      * Makes a box-shaped robot with wheels at (+-halfTrack, 0, z) and an idler at (0, 0, idlerZ) unless idlerZ is 0.
      */
     public static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles,
-        double idlerZ,
-            double x, double z, double heading) {
+        double idlerZ, double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
         robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, radius, x, 2 * radius, z, 0,
             heading, 0));

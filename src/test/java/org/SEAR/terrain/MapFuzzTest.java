@@ -52,11 +52,9 @@ public class MapFuzzTest {
         files.put("big-endian.tif", small.bigEndian().bytes());
         files.put("utm.tif", Files.readAllBytes(REAL.resolve("jacksboro-utm16n.tif")));
         files.put("grid.asc", ("ncols 4\nnrows 3\nxllcorner 8\nyllcorner 47\ncellsize 0.001\nNODATA_value -9999\n"
-            + "1 2 3 4\n5 6.5 7 8\n9 10 11 12\n")
-            .getBytes(StandardCharsets.US_ASCII));
+            + "1 2 3 4\n5 6.5 7 8\n9 10 11 12\n").getBytes(StandardCharsets.US_ASCII));
         files.put("colours.tif", new TiffMaker(20, 10, 8, new byte[600]).with(277, 3).with(258, new int[] {8, 8, 8})
-            .with(262, 2)
-            .placed(8, 47, 0.001).bytes());
+            .with(262, 2).placed(8, 47, 0.001).bytes());
         ByteArrayOutputStream zipped = new ByteArrayOutputStream();
         try (ZipOutputStream zip = new ZipOutputStream(zipped)) {
             zip.putNextEntry(new ZipEntry("N36W085.hgt"));

@@ -166,8 +166,7 @@ public class MapLoadingTest {
     public void anAreaBeyondTheMapIsRejectedWithThePlaceOfTheMap() throws IOException {
         tile("a.tif", 0, 0, 60, 50, (c, r) -> 100);
         refused(all("a.tif").around(46.99, 8.01, 10000, 100), "a.tif: the area is 46.99, 8.01, 10000 m x 100 m, which "
-            + "reaches beyond the map, legal: "
-            + "inside latitudes 46.95000 to 47.00000 and longitudes 8.00000 to 8.06000");
+            + "reaches beyond the map, legal: inside latitudes 46.95000 to 47.00000 and longitudes 8.00000 to 8.06000");
         refused(all("a.tif").around(-46.99, 8.01, 100, 100), "reaches beyond the map");
         refused(all("a.tif").sized(100, 100, 0, 10), "no setSize for a georeferenced map");
     }
@@ -248,8 +247,7 @@ public class MapLoadingTest {
         write("unknown.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9)
             .with(34735, keys).bytes());
         refused(all("unknown.tif"), "unknown.tif: the coordinate system is EPSG:9999, legal: a horizontal system of "
-            + "the EPSG register: "
-            + "convert the map by gdalwarp -t_srs EPSG:4326 unknown.tif");
+            + "the EPSG register: convert the map by gdalwarp -t_srs EPSG:4326 unknown.tif");
         write("wrong.tif", TiffMaker.heights(3, 3, 500000, 5200000, 30, 1, 2, 3, 4, 5, 6, 7, 8, 9).bytes());
         refused(all("wrong.tif"), "wrong.tif: the centre of the map is latitude ");
     }

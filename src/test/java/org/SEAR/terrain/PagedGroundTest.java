@@ -132,8 +132,7 @@ public class PagedGroundTest {
         IOException e = assertThrows(IOException.class,
             () -> load(FEW, TerrainArea.of("none.tif", Collections.emptyList())));
         assertEquals("none.tif: the part of the area without data is 62.5 %, legal: at most 50 %: choose another area, "
-            + "or add the missing tile",
-            e.getMessage());
+            + "or add the missing tile", e.getMessage());
     }
 
     @Test

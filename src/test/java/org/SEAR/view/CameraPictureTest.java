@@ -49,8 +49,7 @@ public class CameraPictureTest {
         List<String> names;
         try (Stream<Path> files = Files.list(Path.of(System.getProperty("sear.root", "."), "examples"))) {
             names = files.map(file -> file.getFileName().toString()).filter(file -> file.endsWith(".sear"))
-                .map(file -> file.replace(".sear", ""))
-                .sorted().collect(Collectors.toList());
+                .map(file -> file.replace(".sear", "")).sorted().collect(Collectors.toList());
         }
         List<String> unlike = new ArrayList<>();
         for (String name : names) {

@@ -28,8 +28,7 @@ public class FirstPictureTest {
         try (RunningWorld world = new RunningWorld(ViewProjects.room())) {
             WorldLink link = new RunnerLink(world.runner, () -> false);
             WorldLink watched = (WorldLink) Proxy.newProxyInstance(WorldLink.class.getClassLoader(),
-                new Class<?>[] {WorldLink.class},
-                (proxy, method, arguments) -> {
+                new Class<?>[] {WorldLink.class}, (proxy, method, arguments) -> {
                     if (method.getName().equals("snapshot")) {
                         asked.add(isVisible());
                         return asked.size() < 10 ? null : link.snapshot();

@@ -125,8 +125,7 @@ public class NoDisplayTest {
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()));
             String warning = lines.lines().filter(line -> line.startsWith("warning")).findFirst().orElse("it ended");
             assertTrue(warning, warning.startsWith("warning: no window could be opened (the window needs jMonkeyEngine "
-                + "3.6 and LWJGL 3.3 but "
-                + "found older or mixed versions: jMonkeyEngine 3.6.1-stable, LWJGL 3.3.2"));
+                + "3.6 and LWJGL 3.3 but found older or mixed versions: jMonkeyEngine 3.6.1-stable, LWJGL 3.3.2"));
             assertTrue(warning, warning.contains("sear install --replace-jme"));
             assertTrue(warning, warning.contains("NoSuchMethodError") && warning.contains("getKeyName"));
             assertEquals("opened: false, headless: true", lines.readLine());

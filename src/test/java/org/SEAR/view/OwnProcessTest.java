@@ -71,8 +71,7 @@ public class OwnProcessTest {
     @Test
     public void closingEndsTheProcessWithoutACallback() {
         ProcessHandle child = ProcessHandle.current().children()
-            .filter(process -> process.info().command().orElse("").endsWith("java"))
-            .findFirst().get();
+            .filter(process -> process.info().command().orElse("").endsWith("java")).findFirst().get();
         window.close();
         assertFalse(window.isOpen());
         assertFalse(child.isAlive());

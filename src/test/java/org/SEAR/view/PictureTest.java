@@ -150,8 +150,7 @@ public class PictureTest {
             () -> view.is(() -> view.scene().hud().statusText().contains("Odometer1: ")));
         String text = view.ask(() -> view.scene().hud().statusText());
         for (String part : new String[] {"time ", " of 1", "Roomba1   x ", "heading 90 deg", "m/s",
-            "1  LIDAR1: nearest ", "2  Ping1: ", "GPS1: 35.2",
-            "Compass1: ", "Accel1: ", "Gyro1: "}) {
+            "1  LIDAR1: nearest ", "2  Ping1: ", "GPS1: 35.2", "Compass1: ", "Accel1: ", "Gyro1: "}) {
             assertTrue(part + " in " + text, text.contains(part));
         }
     }

@@ -106,8 +106,7 @@ public class TerrainPictureTest {
             assertTrue("sky: " + sky, sky.getBlue() > sky.getRed() + 20);
             assertTrue("land: " + land, land.getGreen() > land.getBlue());
             System.out.printf("a picture costs %.0f ms of a processor without terrain, %.0f on it, %.0f above it; %d "
-                + "tiles seen, %d kept%n", nothing,
-                near, far, terrain.seen(), terrain.kept());
+                + "tiles seen, %d kept%n", nothing, near, far, terrain.seen(), terrain.kept());
             assertTrue("on it " + near + " ms, without " + nothing, near < 15 * nothing);
             assertTrue("above it " + far + " ms, without " + nothing, far < 15 * nothing);
             long made = terrain.made();

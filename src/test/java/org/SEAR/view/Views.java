@@ -32,8 +32,7 @@ final class Views implements AutoCloseable {
     Views(Path project, WindowOptions options) throws Exception {
         world = new RunningWorld(project);
         window = WindowStart.open(new RunnerLink(world.runner, options.getScriptDrives()),
-            options.setWarnings(warnings::add)
-            .setScreenshotFolder(report()), () -> { });
+            options.setWarnings(warnings::add).setScreenshotFolder(report()), () -> { });
         assertNull(window.problem(), window.problem());
         until("the window shows the world", () -> app().frames > 2);
         tool("mousemove", "640", "400");

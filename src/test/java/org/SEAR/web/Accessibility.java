@@ -17,13 +17,11 @@ public final class Accessibility {
         "function shown(e) { return e.getClientRects().length > 0 }",
         "function what(e) { return e.outerHTML.substring(0, 100) }",
         "function rgb(text) { var n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 || n[3] > 0.5 ? "
-        + "n.slice(0, 3) : null }",
-        "function light(c) {",
+        + "n.slice(0, 3) : null }", "function light(c) {",
         "    return c.reduce(function(sum, v, i) {",
         "        v /= 255",
         "        return sum + [0.2126, 0.7152, 0.0722][i] * (v <= 0.03928 ? v / 12.92 : Math.pow((v + 0.055) / "
-        + "1.055, 2.4))",
-        "    }, 0.05)",
+        + "1.055, 2.4))", "    }, 0.05)",
         "}",
         "function behind(e) {",
         "    for (; e; e = e.parentElement) {",
@@ -34,8 +32,7 @@ public final class Accessibility {
         "}",
         "function ownText(e) {",
         "    return ['INPUT', 'SELECT'].indexOf(e.tagName) >= 0 && e.type !== 'color' || [].some.call(e.childNodes, "
-        + "function(n) {",
-        "        return n.nodeType === 3 && n.textContent.trim()",
+        + "function(n) {", "        return n.nodeType === 3 && n.textContent.trim()",
         "    })",
         "}",
         "function name(e) {",
@@ -50,8 +47,7 @@ public final class Accessibility {
         "})",
         "panel.querySelectorAll('[id]').forEach(function(e) {",
         "    if (document.querySelectorAll('[id=\"' + e.id + '\"]').length > 1) { found.push('id used twice: ' "
-        + "+ what(e)) }",
-        "})",
+        + "+ what(e)) }", "})",
         "panel.querySelectorAll('*').forEach(function(e) {",
         "    if (!shown(e) || e.disabled || e.tagName === 'OPTION' || !ownText(e)) { return }",
         "    var style = getComputedStyle(e), text = rgb(e instanceof SVGElement ? style.fill : style.color)",
@@ -67,8 +63,7 @@ public final class Accessibility {
         "    done(results.violations.filter(function(one) { return one.impact === 'serious' || one.impact === "
         + "'critical' }).map(function(one) {",
         "        return one.id + ': ' + one.nodes.map(function(node) { return node.html.substring(0, 150) "
-        + "}).join(', ')",
-        "    }))",
+        + "}).join(', ')", "    }))",
         "})");
 
     private Accessibility() {

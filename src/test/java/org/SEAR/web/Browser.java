@@ -53,8 +53,7 @@ public final class Browser implements AutoCloseable {
      * on the PATH: the driver would end the script instead of the browser, whose pages would stay connected.
      */
     private static final List<String> BROWSERS = Stream.concat(Stream.of("/usr/lib/chromium/chromium-headless-shell"),
-        WHOLE.stream())
-        .collect(Collectors.toList());
+        WHOLE.stream()).collect(Collectors.toList());
     /** For tests that don't look at edges: on the CPU, antialiasing takes as long as the rest of the picture. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
     private static final List<String> DRIVERS = List.of("chromedriver");
@@ -162,8 +161,7 @@ public final class Browser implements AutoCloseable {
         for (int attempt = 1;; attempt++) {
             try {
                 return new ChromeDriver(new ChromeDriverService.Builder().usingDriverExecutable(new File(driverProgram))
-                    .usingAnyFreePort()
-                    .withSilent(true).build(), options);
+                    .usingAnyFreePort().withSilent(true).build(), options);
             } catch (SessionNotCreatedException e) {
                 if (attempt == ATTEMPTS) {
                     throw e;
@@ -235,8 +233,7 @@ public final class Browser implements AutoCloseable {
     /** Waits until a visible element's text contains a part. */
     public void seeText(String css, String part) {
         value(css + " with the text \"" + part + "\"", () -> elements.withLetters(css, part).stream()
-            .map(WebElement::getText)
-            .filter(text -> text.contains(part)).findFirst().orElse(null));
+            .map(WebElement::getText).filter(text -> text.contains(part)).findFirst().orElse(null));
     }
 
     /** Returns the texts of all visible elements. */
@@ -294,8 +291,7 @@ public final class Browser implements AutoCloseable {
      */
     public Object module(String module, String code) {
         return script("return import(new URL('service/js/sear/" + module
-            + "', document.baseURI)).then(function(module) {"
-            + code + "})");
+            + "', document.baseURI)).then(function(module) {" + code + "})");
     }
 
     /**

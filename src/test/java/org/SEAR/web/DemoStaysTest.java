@@ -68,8 +68,7 @@ public class DemoStaysTest {
         List<String> command = SearProcess.command("-Xmx384m", "-Dfile.encoding=UTF-8", "-Dsear.root=" + root);
         command.addAll(List.of(script.toString(), "--headless", "--speed", "max", "--port", String.valueOf(port)));
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.newFolder("work"))
-            .redirectErrorStream(true)
-            .redirectOutput(log.toFile()).redirectInput(folder.newFile("nothing"));
+            .redirectErrorStream(true).redirectOutput(log.toFile()).redirectInput(folder.newFile("nothing"));
         builder.environment().remove("SEAR_TERMINAL");
         process = builder.start();
     }

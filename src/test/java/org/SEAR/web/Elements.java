@@ -29,8 +29,7 @@ final class Elements {
         + "clickable: function(css) { var one = first(css); return one && !one.matches(':disabled') ? one : null },"
         + "option: function(css, text) { var select = first(css);"
         + "return select && !select.matches(':disabled') && Array.from(select.options).find(function(one) { return "
-        + "one.text === text }) || null }}"
-        + "})(" + seleniums("isDisplayed") + ");";
+        + "one.text === text }) || null }}})(" + seleniums("isDisplayed") + ");";
 
     private final Browser browser;
 

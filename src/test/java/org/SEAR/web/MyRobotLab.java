@@ -184,8 +184,7 @@ public final class MyRobotLab implements AutoCloseable {
             return JSON.readTree(answer.body());
         } catch (IOException e) {
             throw new AssertionError(service + "." + method + ": " + e + ", the process "
-                + (process.isAlive() ? "runs" : "has ended") + ":\n"
-                + log(), e);
+                + (process.isAlive() ? "runs" : "has ended") + ":\n" + log(), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new AssertionError(e);

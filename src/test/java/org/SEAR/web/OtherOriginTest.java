@@ -89,24 +89,20 @@ public class OtherOriginTest {
         Map<String, String> pages = Map.of(
             "link", "<a id='go' href='" + call("link") + "'>go</a>",
             "image", "<img src='" + call("image") + "' onerror=\"" + ended + "\"><script src='" + call("script")
-            + "'></script>",
-            "frame", "<iframe src='" + call("frame") + "' onload=\"" + ended + "\"></iframe>",
+            + "'></script>", "frame", "<iframe src='" + call("frame") + "' onload=\"" + ended + "\"></iframe>",
             "form", "<form id='form' method='post' enctype='text/plain' action='" + api() + "'><input name='"
             + json("form").replace("\"", "&quot;")
                 .replace("]", ", &quot;") + "' value='&quot;]'></form><script>document.forms[0].submit()</script>",
             "fetch", "<script>fetch('" + api() + "', {method: 'POST', headers: {'Content-Type': "
-                + "'application/json'}, body: '"
-                + json("fetch").replace("'", "\\'") + "'})" + done + "</script>",
+                + "'application/json'}, body: '" + json("fetch").replace("'", "\\'") + "'})" + done + "</script>",
             "simplefetch", "<script>fetch('" + api() + "', {method: 'POST', mode: 'no-cors', body: '"
                 + json("simplefetch").replace("'", "\\'") + "'})" + done + "</script>",
             "getfetch", "<script>fetch('" + call("getfetch") + "', {mode: 'no-cors'})" + done + "</script>",
             "put", "<script>fetch('" + api() + "', {method: 'PUT', body: '" + json("put").replace("'", "\\'") + "'})"
-            + done + "</script>",
-            "socket", "<script>var s = new WebSocket('" + api().replace("http:", "ws:")
+            + done + "</script>", "socket", "<script>var s = new WebSocket('" + api().replace("http:", "ws:")
             .replace("service/python/exec", "messages") + "');"
                 + "s.onopen = function() { s.send(JSON.stringify({name: 'python', method: 'exec', data: "
-                + json("socket") + "})) };"
-                + "s.onclose = s.onerror = function() { " + ended + " }</script>");
+                + json("socket") + "})) };s.onclose = s.onerror = function() { " + ended + " }</script>");
         return "<!DOCTYPE html><title>" + name + "</title>" + pages.getOrDefault(name, "");
     }
 
@@ -129,8 +125,7 @@ public class OtherOriginTest {
         browser.driver().get(evil("form"));
         browser.until("the form", () -> !browser.driver().getCurrentUrl().endsWith("/form"));
         for (String file : new String[] {"image", "script", "frame", "fetch", "simplefetch", "getfetch", "put",
-            "socket", "redirect", "address",
-            "link", "form"}) {
+            "socket", "redirect", "address", "link", "form"}) {
             assertFalse(file + " ran code", Files.exists(robotLab.file(file)));
         }
     }

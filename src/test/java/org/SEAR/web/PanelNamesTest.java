@@ -22,8 +22,7 @@ public class PanelNamesTest {
     private static final List<Path> FOLDERS = List.of(ROOT.resolve("resources/resource/WebGui/app/service"),
         ROOT.resolve("src/mrl/resources/org/myrobotlab/embedded/pages/service"));
     private static final String TAKEN = "(?:save|release|apply|peer|showPeers|saveDefault|startPeer|releasePeer|"
-        + "toggleVirtual|updateServiceData"
-        + "|servicedatajson|parentPanel)";
+        + "toggleVirtual|updateServiceData|servicedatajson|parentPanel)";
     private static final Pattern IN_SCRIPT = Pattern.compile("\\$scope(?:\\.|\\[')" + TAKEN + "\\b");
     private static final Pattern EXPRESSION = Pattern.compile("ng-[a-z-]+=\"([^\"]*)\"|\\{\\{(.*?)\\}\\}",
         Pattern.DOTALL);

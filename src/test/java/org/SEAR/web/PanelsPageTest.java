@@ -61,8 +61,7 @@ public class PanelsPageTest {
     @Test
     public void theCallsFromOutsideAreAnswered() throws Exception {
         List<String> calls = DocBlock.commands("docs/panels.md", "curl").stream()
-            .filter(line -> !line.contains("Bearer"))
-            .collect(Collectors.toList());
+            .filter(line -> !line.contains("Bearer")).collect(Collectors.toList());
         assertEquals(calls.toString(), 3, calls.size());
         try (MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
             assertEquals("true\n", answer(calls.get(0), robotLab));

@@ -40,14 +40,12 @@ public class ShellTest {
         + "  return 0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2] }"
         + "document.querySelectorAll('body *').forEach(function(e) {"
         + "  var own = Array.prototype.some.call(e.childNodes, function(n) { return n.nodeType === 3 && "
-        + "n.data.trim() });"
-        + "  var off = e.matches(':disabled, .python-code') || e.closest('[disabled]');"
+        + "n.data.trim() });  var off = e.matches(':disabled, .python-code') || e.closest('[disabled]');"
         + "  if (!own && !e.matches('input, select') || !e.getClientRects().length || off) { return }"
         + "  var under = ground(e); var a = light(under), b = light(mix(parse(getComputedStyle(e).color), under));"
         + "  var ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);"
         + "  if (ratio < limit) { faint.push(ratio.toFixed(1) + ' ' + e.tagName + '.' + e.className + ' ' + "
-        + "e.textContent.trim().substring(0, 30)) }"
-        + "}); return faint";
+        + "e.textContent.trim().substring(0, 30)) }}); return faint";
     @Rule
     public final TestRule page = TABS.page("sear");
     private final Browser browser = TABS.browser();
@@ -114,8 +112,7 @@ public class ShellTest {
                 browser.click(".sear-status");
             }
             browser.until("a closed menu", () -> !browser.see("#shell-more").getAttribute("aria-expanded")
-                .equals("true")
-                && browser.all("#shell-menu").stream().noneMatch(WebElement::isDisplayed));
+                .equals("true") && browser.all("#shell-menu").stream().noneMatch(WebElement::isDisplayed));
         }
     }
 

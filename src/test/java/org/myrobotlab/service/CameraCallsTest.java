@@ -118,8 +118,7 @@ public class CameraCallsTest {
         refuses("the path is \"eye.gif\", legal: a file that ends with .png",
             () -> sear.saveImage("color eye", "eye.gif"));
         refuses("the colour is \"white\", legal: one with a hue, such as red, orange or #2060ff; white, grey and "
-            + "black have none",
-            () -> sear.getBlobs("color eye", "white"));
+            + "black have none", () -> sear.getBlobs("color eye", "white"));
         assertTrue(assertThrows(IllegalArgumentException.class, () -> sear.getImage("eye")).getMessage()
             .startsWith("no sensor is called \"eye\", legal: color eye, "));
     }

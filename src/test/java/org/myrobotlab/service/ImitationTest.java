@@ -149,8 +149,7 @@ public class ImitationTest {
         Talker talker = (Talker) Runtime.start("talker", TALKER);
         talker.addListener("publishNumber", "snake", "nameOfThread");
         assertTrue(python.exec("from java.util.concurrent import LinkedBlockingQueue as Q\nfrom java.lang import "
-            + "Thread\ngot = Q()\n"
-            + "def nameOfThread(data): got.put(Thread.currentThread().getName())"));
+            + "Thread\ngot = Q()\ndef nameOfThread(data): got.put(Thread.currentThread().getName())"));
         talker.invoke("publishNumber", 1);
         assertTrue(python.exec("assert got.take() == 'python.snake.input'"));
     }
@@ -161,8 +160,7 @@ public class ImitationTest {
         assertTrue(python.exec("from org.SEAR.POJOs import LIDAR\nfrom java.util.concurrent import TimeUnit\nimport "
             + "time\nimported = LIDAR\n"
             + "Runtime.start('scanner', 'LIDAR')\nend = time.time() + 20\nwhile LIDAR is imported and time.time() < "
-            + "end: time.sleep(0.005)\n"
-            + "assert LIDAR is not imported"));
+            + "end: time.sleep(0.005)\nassert LIDAR is not imported"));
         assertFalse(python.exec("LIDAR('x')"));
         assertTrue(python.getLastError().key, python.getLastError().key.contains("expected 2 args"));
     }

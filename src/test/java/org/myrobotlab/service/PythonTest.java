@@ -87,8 +87,7 @@ public class PythonTest {
     @Test
     public void functionsAreCalledBackOneAfterAnother() {
         assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\ndef second(data):\n  "
-            + "got.append(list(data))\n"
-            + "talker = Runtime.getService('talker')\n"
+            + "got.append(list(data))\ntalker = Runtime.getService('talker')\n"
             + "talker.addListener('publishNumber', python.name, 'input')\ntalker.addListener('publishArray', "
                 + "python.name, 'second')"));
         for (int i = 0; i < 200; i++) {
@@ -107,8 +106,7 @@ public class PythonTest {
             + "  talker.invoke('publishNumber', 1)\n  talker.invoke('publishNumber', 2)\n"
             + "  while got != [1, 2] and time.time() < end: time.sleep(0.005)\n  return got\n"
             + "console, out = sys.stdout, Out()\nsys.stdout = out\ntry:\n  print 'got', called()\nfinally:\n  "
-            + "sys.stdout = console\n"
-            + "assert out.text == 'got [1, 2]\\n', out.text"));
+            + "sys.stdout = console\nassert out.text == 'got [1, 2]\\n', out.text"));
     }
 
     @Test
@@ -155,8 +153,7 @@ public class PythonTest {
     @Test
     public void aCallbackThatRaisesIsAnErrorAndTheNextIsCalled() {
         assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\n  if data == 1: raise "
-            + "ValueError('one')\n"
-            + "Runtime.getService('talker').addListener('publishNumber', python.name, 'input')"));
+            + "ValueError('one')\nRuntime.getService('talker').addListener('publishNumber', python.name, 'input')"));
         talker.invoke("publishNumber", 1);
         talker.invoke("publishNumber", 2);
         until("got == [1, 2]");
@@ -183,11 +180,9 @@ public class PythonTest {
     @Test
     public void threadsMayPrintAtTheSameTime() {
         assertTrue(python.exec("import threading\nwrong = []\ndef many():\n  try:\n    for i in range(2000): print "
-            + "'line', i, u'\u00fc'\n"
-            + "  except Exception, e: wrong.append(e)\n"
+            + "'line', i, u'\u00fc'\n  except Exception, e: wrong.append(e)\n"
             + "threads = [threading.Thread(target=many) for i in range(4)]\nfor t in threads: t.start()\nfor t in "
-            + "threads: t.join()\n"
-            + "assert wrong == [], wrong\nsys.stdout.writelines(['a', "
+            + "threads: t.join()\nassert wrong == [], wrong\nsys.stdout.writelines(['a', "
                 + "u'b'])\nsys.stdout.flush()\nsys.stderr.write('c\\n')"));
     }
 
@@ -241,8 +236,7 @@ public class PythonTest {
         python.getConfig().scriptRootDir = folder.getRoot().toString();
         IOException missing = assertThrows(IOException.class, () -> python.saveScript("sub/a.py", "x = 1\n"));
         assertEquals("sub/a.py can't be saved: there is no folder " + folder.getRoot().toPath().resolve("sub")
-            + "; create it first",
-            missing.getMessage());
+            + "; create it first", missing.getMessage());
         folder.newFolder("sub");
         python.saveScript("sub/a.py", "x = 1\n");
         assertEquals("x = 1\n", Files.readString(folder.getRoot().toPath().resolve("sub/a.py")));
@@ -256,8 +250,7 @@ public class PythonTest {
     @Test
     public void allObjectsAreImportedTogether() {
         assertTrue(python.exec("from org.SEAR.POJOs import Cone\nfrom org.SEAR.POJOs import *\nimport "
-            + "org.SEAR.POJOs.Floor\n"
-            + "assert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and "
+            + "org.SEAR.POJOs.Floor\nassert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and "
                 + "org.SEAR.POJOs.Floor\n"));
     }
 
@@ -279,8 +272,7 @@ public class PythonTest {
                 "sear.startSimulation()", "roomba = Runtime.start('roomba', 'Roomba')", "roomba.connect('"
                 + TestWorld.ROOMBA_PORT + "')",
                 "start = sear.getTime()", "for wait in (lambda: sleep(0.05), lambda: time.sleep(0.05), lambda: "
-                + "roomba.sleep(50),",
-                "        lambda: roomba.goForward(10), lambda: roomba.spin(5)):", "    wait()",
+                + "roomba.sleep(50),", "        lambda: roomba.goForward(10), lambda: roomba.spin(5)):", "    wait()",
                 "assert sear.getTime() == start",
                 "sear.simSleep(0.5)", "assert abs(sear.getTime() - start - 0.5) < 0.02", "sear.stopSimulation()", "")));
         } finally {

@@ -162,11 +162,9 @@ public class RuntimeTest {
                 + "the class path");
         refused(Runtime.start("a/b", "Serial"), "can't start a/b as Serial: a service's name is a word without \"/\"");
         refused(Runtime.start("a"), "can't start a: its type is missing, and there is no configuration file "
-            + "of that name:"
-            + " write Runtime.start(\"a\", \"SEAR\") with a name and a type");
+            + "of that name: write Runtime.start(\"a\", \"SEAR\") with a name and a type");
         refused(Runtime.create("Clock"), "can't start Clock: its type is missing, and there is no configuration file "
-            + "of that name:"
-            + " write Runtime.start(\"name\", \"Clock\") with a name and a type");
+            + "of that name: write Runtime.start(\"name\", \"Clock\") with a name and a type");
         assertEquals(1, Runtime.getServices().size());
     }
 

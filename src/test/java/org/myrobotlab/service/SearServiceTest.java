@@ -276,8 +276,7 @@ public class SearServiceTest {
     public void theDevicesSerialServicesAreInTheRegistry() {
         sear.startSimulation();
         for (String name : new String[] {"scanner_LIDARsimulator_Serial_Service",
-            "receiver_GPSsimulator_Serial_Service",
-            "drive_ROBOTsimulator_Serial_Service"}) {
+            "receiver_GPSsimulator_Serial_Service", "drive_ROBOTsimulator_Serial_Service"}) {
             assertNotNull(name, Runtime.getService(name));
         }
         sear.stopSimulation();

@@ -81,8 +81,7 @@ public final class TestWorld {
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             String name = thread.getName();
             if (thread.isAlive() && (name.startsWith("SEAR ") || name.contains("/dev/")
-                || name.startsWith("serial time-outs")
-                    || name.contains("simulator_Serial_Service"))) {
+                || name.startsWith("serial time-outs") || name.contains("simulator_Serial_Service"))) {
                 names.add(name);
             }
         }

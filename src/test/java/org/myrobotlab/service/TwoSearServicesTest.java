@@ -67,8 +67,7 @@ public class TwoSearServicesTest {
     private void script(String running) throws Exception {
         python.execAndWait("from org.SEAR.POJOs import Box\n"
             + "first = Runtime.start('firstSear', 'SEAR')\nsecond = Runtime.start('secondSear', 'SEAR')\n"
-            + running + ".startSimulation()\n"
-            + "Box('late in " + running + "', 1, 1, 1, 0)\n"
+            + running + ".startSimulation()\nBox('late in " + running + "', 1, 1, 1, 0)\n"
             + running + ".stopSimulation()\n"
             + "first.info('end of " + running + "')\nsecond.info('end of " + running + "')\n");
         for (Heard heard : Arrays.asList(first, second)) {

@@ -86,8 +86,7 @@ final class PackagePicture {
             + "font-size=\"12\">", WIDTH, height);
         line(svg, "<title>The packages of SEAR's plug-in, read from its classes</title>");
         line(svg, "<defs><marker id=\"a\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"7\" "
-            + "markerHeight=\"7\" orient=\"auto\">"
-            + "<path d=\"M0 0L8 4L0 8z\" fill=\"#456\"/></marker></defs>");
+            + "markerHeight=\"7\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#456\"/></marker></defs>");
         line(svg, "<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>", WIDTH, height);
         places.keySet().forEach(user -> graph.direct(user).forEach(used -> arrow(svg, user, used)));
         places.forEach((name, place) -> box(svg, name, place));
@@ -100,15 +99,13 @@ final class PackagePicture {
         double x2 = middle(used);
         double y2 = places.get(used)[1];
         line(svg, "<path d=\"M%.1f %.1fC%.1f %.1f %.1f %.1f %.1f %.1f\" fill=\"none\" stroke=\"#456\" "
-            + "marker-end=\"url(#a)\"/>", x1, y1, x1,
-            y1 + ROW / 2.0, x2, y2 - ROW / 2.0, x2, y2);
+            + "marker-end=\"url(#a)\"/>", x1, y1, x1, y1 + ROW / 2.0, x2, y2 - ROW / 2.0, x2, y2);
     }
 
     private void box(StringBuilder svg, String name, double[] place) {
         String fill = name.startsWith("org.SEAR.") ? "#e6f0fa" : "#fbeedd";
         line(svg, "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" rx=\"5\" fill=\"%s\" stroke=\"#456\"/>",
-            place[0], place[1], width(name),
-            BOX, fill);
+            place[0], place[1], width(name), BOX, fill);
         line(svg, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>", middle(name), place[1] + 18,
             label(name));
     }

@@ -22,13 +22,11 @@ final class FramesPicture {
     static String svg() {
         FramesPicture picture = new FramesPicture();
         picture.out.append(format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" "
-            + "font-family=\"sans-serif\" font-size=\"14\">%n",
-            WIDTH, HEIGHT));
+            + "font-family=\"sans-serif\" font-size=\"14\">%n", WIDTH, HEIGHT));
         picture.out.append("<title>The frames of the world and of a robot, seen from above</title>\n<defs>");
         for (String color : new String[] {WORLD, BODY, GREY}) {
             picture.out.append(format("<marker id=\"%s\" markerWidth=\"9\" markerHeight=\"9\" refX=\"7\" refY=\"4\" "
-                + "orient=\"auto\">"
-                + "<path d=\"M0,0 L8,4 L0,8 z\" fill=\"%s\"/></marker>", marker(color), color));
+                + "orient=\"auto\"><path d=\"M0,0 L8,4 L0,8 z\" fill=\"%s\"/></marker>", marker(color), color));
         }
         picture.out.append("</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
         picture.world(90, 350);
@@ -96,8 +94,7 @@ final class FramesPicture {
 
     private void arrow(double x1, double y1, double x2, double y2, String color) {
         out.append(format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\" "
-            + "marker-end=\"url(#%s)\"/>%n",
-            x1, y1, x2, y2, color, marker(color)));
+            + "marker-end=\"url(#%s)\"/>%n", x1, y1, x2, y2, color, marker(color)));
     }
 
     private void dashed(double x1, double y1, double x2, double y2) {
@@ -112,8 +109,7 @@ final class FramesPicture {
         out.append(format("<path d=\"M%.1f,%.1f A%.0f,%.0f 0 0 %d %.1f,%.1f\" fill=\"none\" stroke=\"%s\" "
             + "stroke-width=\"1.5\""
             + " marker-end=\"url(#%s)\"/>%n", x + radius * Math.cos(a), y - radius * Math.sin(a), radius, radius,
-            to < from ? 1 : 0,
-            x + radius * Math.cos(b), y - radius * Math.sin(b), color, marker(color)));
+            to < from ? 1 : 0, x + radius * Math.cos(b), y - radius * Math.sin(b), color, marker(color)));
     }
 
     private void upwards(double x, double y, String color) {

@@ -38,8 +38,7 @@ import javax.tools.ToolProvider;
 final class JavadocReader {
     private static final Pattern SECTION = Pattern.compile("(?m)^ {4}// -{4} (.*?) -+$");
     private static final Map<String, String> PYTHON = Map.of("void", "", "double", "float", "long", "int", "boolean",
-        "bool", "String", "str",
-        "Object", "object");
+        "bool", "String", "str", "Object", "object");
 
     private final Path file;
     private final String source;

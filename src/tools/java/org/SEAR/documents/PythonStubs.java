@@ -112,8 +112,7 @@ public final class PythonStubs {
             .append("\"\"\"\n");
         if (type.isEnum()) {
             Arrays.stream(type.getEnumConstants()).forEach(one -> out.append("    ").append(((Enum<?>) one).name())
-                .append(": ")
-                .append(type.getSimpleName()).append('\n'));
+                .append(": ").append(type.getSimpleName()).append('\n'));
         }
         Constructor<?>[] makers = Modifier.isAbstract(type.getModifiers()) ? new Constructor<?>[0]
             : type.getConstructors();
@@ -131,15 +130,13 @@ public final class PythonStubs {
         methods.values().forEach(same -> {
             same.sort(Comparator.comparing(PythonStubs::parameters));
             same.forEach(one -> method(out, same.size() > 1, Modifier.isStatic(one.getModifiers()), one.getName(),
-                parameters(one),
-                hint(one.getReturnType(), false), ""));
+                parameters(one), hint(one.getReturnType(), false), ""));
         });
     }
 
     private static String parameters(Executable call) {
         return Arrays.stream(call.getParameters())
-            .map(one -> ", " + safe(one.getName()) + ": " + hint(one.getType(), true))
-            .collect(Collectors.joining());
+            .map(one -> ", " + safe(one.getName()) + ": " + hint(one.getType(), true)).collect(Collectors.joining());
     }
 
     private static void method(StringBuilder out, boolean overloaded, boolean isStatic, String name, String parameters,
@@ -147,8 +144,7 @@ public final class PythonStubs {
         out.append(overloaded ? "    @overload\n" : "").append(isStatic ? "    @staticmethod\n" : "").append("    def ")
             .append(name).append('(')
             .append(isStatic ? parameters.replaceFirst("^, ", "") : "self" + parameters).append(") -> ").append(answer)
-            .append(':')
-            .append(text.isEmpty() ? " ...\n" : "\n        \"\"\"" + text + "\"\"\"\n");
+            .append(':').append(text.isEmpty() ? " ...\n" : "\n        \"\"\"" + text + "\"\"\"\n");
     }
 
     private static String safe(String name) {
@@ -175,8 +171,7 @@ public final class PythonStubs {
             return given ? "Sequence[Any]" : "List[Any]";
         }
         return hint(type.isPrimitive() ? type == double.class || type == float.class ? "float" : type == boolean.class
-            ? "bool" : "int"
-            : type == String.class ? "str" : type.getSimpleName(), given);
+            ? "bool" : "int" : type == String.class ? "str" : type.getSimpleName(), given);
     }
 
     private static String hint(String words, boolean given) {

@@ -23,8 +23,7 @@ public final class ScriptDocs {
     static final String PREPARATION = "sear = Runtime.start(\"sear\", \"SEAR\")\n"
         + "lidar = Runtime.start(\"guideLidar\", \"LIDAR\")     # the driver of a SICK LMS200, real or simulated\n"
         + "gps = Runtime.start(\"guideGps\", \"GPS\")           # the driver of a GPS receiver, real or simulated\n"
-        + "sear.loadProject(\"examples/sensors.sear\")\n"
-        + "sear.startSimulation()\n";
+        + "sear.loadProject(\"examples/sensors.sear\")\nsear.startSimulation()\n";
     private static final String PANELS = "for panels";
     private static final String MYROBOTLAB = "MyRobotLab";
 
@@ -96,8 +95,7 @@ public final class ScriptDocs {
 
     private static String head() throws IOException {
         return new String(ScriptDocs.class.getResourceAsStream("scripting-head.md").readAllBytes(),
-            StandardCharsets.UTF_8)
-            .replace("PREPARATION\n", PREPARATION);
+            StandardCharsets.UTF_8).replace("PREPARATION\n", PREPARATION);
     }
 
     /** Returns GitHub's anchor of a title. */

@@ -33,8 +33,7 @@ import picocli.CommandLine.Spec;
 /** {@code sear class --pupils NAMES.txt}: runs a SEAR for each pupil of a class. */
 @Command(name = "class", mixinStandardHelpOptions = true,
     description = "Runs a SEAR for each pupil of a class, with its own process, folder, port, link with a token, and "
-    + "memory limit. A SEAR that "
-        + "ends is restarted. docs/classroom.md says what pupils can do to each other.",
+    + "memory limit. A SEAR that ends is restarted. docs/classroom.md says what pupils can do to each other.",
     footer = "Exit status: 0 after Ctrl+C, 2 for an invalid command.")
 public final class ClassCommand implements Callable<Integer> {
     private static final int HIGHEST_PORT = 65535;
@@ -48,35 +47,29 @@ public final class ClassCommand implements Callable<Integer> {
         + "names, one per line.")
     private Path names;
     @Option(names = "--port", paramLabel = "N", defaultValue = "8901", description = "Port of the first pupil; the "
-        + "others get the next ones. "
-        + "Default: ${DEFAULT-VALUE}.")
+        + "others get the next ones. Default: ${DEFAULT-VALUE}.")
     private int port;
     @Option(names = "--host", paramLabel = "ADDRESS", description = "Let other computers connect: an address of this "
-        + "computer, or 0.0.0.0 for all "
-        + "of them. Default: this computer only.")
+        + "computer, or 0.0.0.0 for all of them. Default: this computer only.")
     private String host;
     @Option(names = "--url", paramLabel = "URL", description = "Address of a pupil's SEAR for browsers, if different: "
         + "{port} and {name} become the "
         + "pupil's port and folder, as in https://{name}.school.example or http://school.example:{port}.")
     private String url;
     @Option(names = "--memory", paramLabel = "MB", defaultValue = "256", description = "Memory limit of one pupil's "
-        + "robots and scripts. "
-        + "Default: ${DEFAULT-VALUE}.")
+        + "robots and scripts. Default: ${DEFAULT-VALUE}.")
     private int memory;
     @Option(names = "--total-memory", paramLabel = "MB", description = "Memory limit of one pupil's process with all "
-        + "that it starts (Linux). "
-        + "Default: " + BESIDES + " more than --memory.")
+        + "that it starts (Linux). Default: " + BESIDES + " more than --memory.")
     private Integer total;
     @Option(names = "--folder", paramLabel = "FOLDER", defaultValue = "class",
-        description = "Folder for the pupils' folders, the links and the "
-        + "programs' output. Default: ${DEFAULT-VALUE}.")
+        description = "Folder for the pupils' folders, the links and the programs' output. Default: ${DEFAULT-VALUE}.")
     private Path folder;
     @Option(names = "--script", paramLabel = "FILE.py", description = "An initial script, copied to each pupil without "
         + "a file of that name.")
     private Path script;
     @Option(names = "--project", paramLabel = "FILE.sear", description = "An initial project for each pupil without "
-        + "one; examples are found from any "
-        + "folder.")
+        + "one; examples are found from any folder.")
     private Path project;
     @Option(names = "--at-once", paramLabel = "N", description = "Programs that start at the same time. Default: the "
         + "number of processors.")
@@ -117,8 +110,7 @@ public final class ClassCommand implements Callable<Integer> {
         int last = port + count - 1;
         if (port < 1 || last > HIGHEST_PORT) {
             throw new IllegalArgumentException("--port is " + port + ", so the last of " + count + " pupils would get "
-                + last + ", legal: 1 to "
-                + HIGHEST_PORT);
+                + last + ", legal: 1 to " + HIGHEST_PORT);
         }
         if (memory < MIN_MEMORY) {
             throw new IllegalArgumentException("--memory is " + memory + ", legal: " + MIN_MEMORY + " or more");
@@ -185,8 +177,7 @@ public final class ClassCommand implements Callable<Integer> {
             "-XX:MaxDirectMemorySize=64m", "-XX:ReservedCodeCacheSize=96m", "-Dsear.parent="
                 + ProcessHandle.current().pid()));
         command.addAll(List.of("-cp", absolute(System.getProperty("java.class.path")), MAIN, "--headless", "--threads",
-            "1", "--port",
-            String.valueOf(own), "--token-file", token.toAbsolutePath().toString()));
+            "1", "--port", String.valueOf(own), "--token-file", token.toAbsolutePath().toString()));
         if (host != null) {
             command.addAll(List.of("--host", host));
         }
@@ -212,8 +203,7 @@ public final class ClassCommand implements Callable<Integer> {
 
     private static String csv(List<Pupil> pupils) {
         return "name,link\n" + pupils.stream().map(pupil -> "\"" + pupil.name.replace("\"", "\"\"") + "\","
-            + pupil.link + "\n")
-            .collect(Collectors.joining());
+            + pupil.link + "\n").collect(Collectors.joining());
     }
 
     private static void listen(Classroom classroom) {

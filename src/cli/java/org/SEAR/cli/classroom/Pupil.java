@@ -135,8 +135,7 @@ final class Pupil {
         since = System.nanoTime();
         state = restarts > MAX_RESTARTS ? State.GIVEN_UP : State.WAITING;
         return why + (state == State.GIVEN_UP ? "; not restarted after " + MAX_RESTARTS + " times: type the name and "
-            + "Enter to restart it"
-            : "; restarting (" + restarts + " of " + MAX_RESTARTS + ")");
+            + "Enter to restart it" : "; restarting (" + restarts + " of " + MAX_RESTARTS + ")");
     }
 
     private String why(int status) {

@@ -44,16 +44,14 @@ public final class ContestCommand implements Callable<Integer> {
         description = "The entries, named after their files, or NAME.")
     private List<String> scripts;
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Seed of the sensors' random "
-        + "numbers. Default: "
-        + "${DEFAULT-VALUE}.")
+        + "numbers. Default: ${DEFAULT-VALUE}.")
     private long seed;
     @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10",
         description = "Time limit of a script without a simSleep, and of each "
         + "function of the referee, by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
     @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Folder for scores.csv, the "
-        + "recording contest.searlog "
-        + "and each script's output. Default: ${DEFAULT-VALUE}.")
+        + "recording contest.searlog and each script's output. Default: ${DEFAULT-VALUE}.")
     private Path out;
     @Spec
     private CommandSpec spec;
@@ -91,8 +89,7 @@ public final class ContestCommand implements Callable<Integer> {
             }
             if (!name.matches("[\\w][\\w .-]*")) {
                 throw new IOException("the name of entry \"" + name + "\" is invalid, legal: letters A to Z, digits, "
-                    + "_, spaces, - and .; NAME="
-                    + script + " gives it another");
+                    + "_, spaces, - and .; NAME=" + script + " gives it another");
             }
             if (entered.put(name, script) != null) {
                 throw new IOException("two entries are called \"" + name + "\"; NAME=" + script

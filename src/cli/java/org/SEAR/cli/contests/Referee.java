@@ -66,8 +66,7 @@ final class Referee {
         } catch (TimeoutException e) {
             breakOff();
             throw new IOException(String.format(Locale.ROOT, "%s hung: %s ran for %.3g s, legal: at most --limit, by "
-                + "the computer's clock", file,
-                what, timeout), e);
+                + "the computer's clock", file, what, timeout), e);
         } catch (ExecutionException e) {
             throw e.getCause() instanceof IOException ? (IOException) e.getCause()
                 : new IOException(file + " can't be run: " + e.getCause(), e);

@@ -24,8 +24,7 @@ public final class InstallCommand implements Callable<Integer> {
     @Option(names = "--remove", description = "Remove exactly what was installed.")
     private boolean remove;
     @Option(names = "--replace-jme", description = "Replace MyRobotLab's jMonkeyEngine if it is too old for the "
-        + "window, which needs 3.6; --remove "
-        + "restores it.")
+        + "window, which needs 3.6; --remove restores it.")
     private boolean replaceEngine;
     @Option(names = "--dry-run", description = "Only print what would be done.")
     private boolean dryRun;

@@ -193,8 +193,7 @@ final class Installer {
             plan.notes.add("later   service picker: libraries/serviceData.json does not exist yet; start MyRobotLab "
                 + "once, then install again");
             plan.remarks.add("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and "
-                + "install again, or type the "
-                + "service type by hand.");
+                + "install again, or type the service type by hand.");
             return;
         }
         // MyRobotLab may have rewritten the file with SEAR's entries, which must not count as its original content

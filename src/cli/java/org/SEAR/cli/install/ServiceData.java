@@ -23,8 +23,7 @@ final class ServiceData {
     /** Descriptions in the service picker, by simple name. */
     static final Map<String, String> SERVICES = new TreeMap<>(Map.of(
         "SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of "
-        + "real hardware",
-        "LIDAR", "SICK LMS200 laser scanner, real or simulated",
+        + "real hardware", "LIDAR", "SICK LMS200 laser scanner, real or simulated",
         "GPS", "GPS receiver that sends NMEA 0183, real or simulated"));
     private static final String PACKAGE = "org.myrobotlab.service.";
     private static final ObjectMapper MAPPER = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);

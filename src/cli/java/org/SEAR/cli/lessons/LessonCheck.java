@@ -26,8 +26,7 @@ final class LessonCheck {
         Object limit = engine.get("SECONDS");
         if (!engine.has("check") || !(limit instanceof Number)) {
             throw new IOException(lesson.check() + " lacks "
-                + (engine.has("check") ? "SECONDS, the simulated time that counts"
-                : "the function check(run)"));
+                + (engine.has("check") ? "SECONDS, the simulated time that counts" : "the function check(run)"));
         }
         seconds = ((Number) limit).doubleValue();
         if (!(seconds > 0 && seconds <= MAX_SECONDS)) {

@@ -85,8 +85,7 @@ final class MarkTables {
             .count();
         long errors = marks.stream().filter(mark -> !mark.isPassed()).count() - failed;
         all.append(String.format("<testsuite name=\"sear grade\" tests=\"%d\" failures=\"%d\" errors=\"%d\" "
-            + "skipped=\"0\">%n", marks.size(), failed,
-            errors));
+            + "skipped=\"0\">%n", marks.size(), failed, errors));
         for (Mark mark : marks) {
             all.append(String.format("  <testcase classname=\"%s\" name=\"%s\"", escaped(mark.lesson),
                 escaped(mark.pupil)));
@@ -95,8 +94,7 @@ final class MarkTables {
             } else {
                 String kind = mark.kind == Mark.Kind.NOT_YET || mark.kind == Mark.Kind.NOTHING ? "failure" : "error";
                 all.append(String.format(">%n    <%s message=\"%s\">%s</%s>%n  </testcase>%n", kind,
-                    escaped(mark.kind.words),
-                    escaped(String.join("\n", mark.missing)), kind));
+                    escaped(mark.kind.words), escaped(String.join("\n", mark.missing)), kind));
             }
         }
         return all.append("</testsuite>\n").toString();

@@ -34,15 +34,13 @@ public final class SweepCommand implements Callable<Integer> {
     private static final String ENDS_WITH_INPUT = "SEAR_ENDS_WITH_INPUT";
 
     @Parameters(paramLabel = "SCRIPT.py", description = "A script as for sear SCRIPT.py. It reads "
-        + "sear.getParameter(\"NAME\", default) and "
-        + "reports sear.setResult(\"NAME\", value).")
+        + "sear.getParameter(\"NAME\", default) and reports sear.setResult(\"NAME\", value).")
     private Path script;
     @Option(names = "--seeds", paramLabel = "N|A:B", description = "Number of seeds, from 1 on; or seeds A to "
         + "B. Default: 1.")
     private String seeds;
     @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N values from "
-        + "A to B, or a list. "
-        + "May be given for several parameters; all combinations run.")
+        + "A to B, or a list. May be given for several parameters; all combinations run.")
     private List<String> set;
     @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: the number "
         + "of processors.")
@@ -57,8 +55,7 @@ public final class SweepCommand implements Callable<Integer> {
     @Option(names = "--memory", paramLabel = "MB", description = "Memory limit of a run's process. Default: none.")
     private String memory;
     @Option(names = "--out", paramLabel = "FOLDER", description = "Folder for the results; continues an interrupted "
-        + "sweep there. Default:"
-        + " the script's name with -sweep.")
+        + "sweep there. Default: the script's name with -sweep.")
     private String out;
     @Option(names = "--fresh", description = "Discard existing results and start over.")
     private boolean fresh;

@@ -20,7 +20,6 @@ public final class ArduinoType implements DeviceType {
         Pins pins = new Pins(arduino.getModel(), arduino.getFullName(), context);
         new Wiring(context).connect(arduino, pins);
         return new ArduinoBoard(arduino.getModel().getTitle() + ", " + arduino.getFirmware(), arduino.getBaud(),
-            pins, context,
-            arduino.isFirmata() ? FirmataFirmware::new : MrlCommFirmware::new);
+            pins, context, arduino.isFirmata() ? FirmataFirmware::new : MrlCommFirmware::new);
     }
 }

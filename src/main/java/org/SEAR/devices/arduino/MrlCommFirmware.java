@@ -111,8 +111,7 @@ final class MrlCommFirmware implements Firmware {
 
     private void reportBoard() {
         send(MrlMessage.of(MrlFunction.PUBLISH_BOARD_INFO).add(MrlMessage.VERSION).add(board.getMrlType())
-            .addShort(LOOP_MICROS).addShort(FREE_RAM)
-            .add(reports.size()).addList(devices.summary()));
+            .addShort(LOOP_MICROS).addShort(FREE_RAM).add(reports.size()).addList(devices.summary()));
     }
 
     private void execute(MrlMessage message) {

@@ -10,8 +10,7 @@ import org.SEAR.protocol.lidar.LidarModel;
  */
 enum ColaModel {
     LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360),
-        new ScanRate(2500, 2500, 360),
-        new ScanRate(2500, 5000, 360)),
+        new ScanRate(2500, 2500, 360), new ScanRate(2500, 5000, 360)),
     TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162)),
     /** Has exactly the rate of its object. */
     COLA(LidarModel.COLA, "SEAR", "V1.00-22.11.2026", 0, 1, false);

@@ -38,8 +38,7 @@ public final class NeoM8n extends Receiver {
         UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL, UbxMessage.NMEA_ZDA, UbxMessage.NAV_POSECEF, UbxMessage.NAV_POSLLH,
         UbxMessage.NAV_STATUS,
         UbxMessage.NAV_DOP, UbxMessage.NAV_SOL, UbxMessage.NAV_PVT, UbxMessage.NAV_VELECEF, UbxMessage.NAV_VELNED,
-        UbxMessage.NAV_TIMEGPS,
-        UbxMessage.NAV_CLOCK, UbxMessage.NAV_SAT, UbxMessage.NAV_EOE};
+        UbxMessage.NAV_TIMEGPS, UbxMessage.NAV_CLOCK, UbxMessage.NAV_SAT, UbxMessage.NAV_EOE};
 
     private final UbxSettings delivered;
     private final UbxCommands commands = new UbxCommands(this);

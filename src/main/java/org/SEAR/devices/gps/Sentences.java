@@ -88,8 +88,7 @@ final class Sentences {
         List<String> bodies = new ArrayList<>();
         for (Constellation each : style.sky) {
             bodies.add(style.talker + "GSA,A," + (fix == null ? 1 : 3) + each.used(fix != null) + ","
-                + dop(Constellation.PDOP) + ","
-                + dop(Constellation.HDOP) + "," + dop(Constellation.VDOP));
+                + dop(Constellation.PDOP) + "," + dop(Constellation.HDOP) + "," + dop(Constellation.VDOP));
         }
         return bodies;
     }

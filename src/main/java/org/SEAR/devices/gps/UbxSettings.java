@@ -47,8 +47,7 @@ final class UbxSettings {
             }
         }
         for (UbxMessage each : new UbxMessage[] {UbxMessage.NMEA_RMC, UbxMessage.NMEA_VTG, UbxMessage.NMEA_GGA,
-            UbxMessage.NMEA_GSA,
-            UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL}) {
+            UbxMessage.NMEA_GSA, UbxMessage.NMEA_GSV, UbxMessage.NMEA_GLL}) {
             java.util.Arrays.fill(rates.get(each), 0, PORTS - 1, (byte) 1);
         }
         rate = UbxFrame.room(RATE_SIZE).putShort((short) period).putShort((short) 1).putShort((short) 1).array();

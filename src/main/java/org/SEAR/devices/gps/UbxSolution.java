@@ -82,8 +82,7 @@ final class UbxSolution {
                 return position(start(28)).array();
             case NAV_STATUS:
                 return start(16).put((byte) fixType()).put((byte) flags()).put((byte) 0).put((byte) 8)
-                    .putInt((int) firstFixAfter)
-                    .putInt((int) sinceStart).array();
+                    .putInt((int) firstFixAfter).putInt((int) sinceStart).array();
             case NAV_DOP:
                 return dops();
             case NAV_SOL:
@@ -94,8 +93,7 @@ final class UbxSolution {
                 return velocityNed();
             case NAV_TIMEGPS:
                 return start(16).putInt(0).putShort(week()).put((byte) LEAP_SECONDS)
-                    .put((byte) (timeKnown ? TIME_VALID : 0)).putInt(timeAccuracy())
-                    .array();
+                    .put((byte) (timeKnown ? TIME_VALID : 0)).putInt(timeAccuracy()).array();
             case NAV_CLOCK:
                 return start(20).putInt(0).putInt(0).putInt(timeAccuracy()).putInt(timeAccuracy()).array();
             case NAV_SAT:
@@ -176,8 +174,7 @@ final class UbxSolution {
         double longitude = Math.toRadians(fix.getLongitude());
         double out = fix.getClimb() * Math.cos(latitude) - north() * Math.sin(latitude);
         return new double[] {out * Math.cos(longitude) - east() * Math.sin(longitude), out * Math.sin(longitude)
-            + east() * Math.cos(longitude),
-            fix.getClimb() * Math.sin(latitude) + north() * Math.cos(latitude)};
+            + east() * Math.cos(longitude), fix.getClimb() * Math.sin(latitude) + north() * Math.cos(latitude)};
     }
 
     private ByteBuffer ecef(ByteBuffer to, double[] vector, long accuracy) {

@@ -230,7 +230,6 @@ public final class Razor implements SerialDevice {
     @Override
     public String status() {
         return "Razor 9DOF: " + mode.name().toLowerCase(Locale.ROOT) + (binary ? ", binary" : ", text")
-            + (streaming ? "" : ", on request")
-            + ", " + baud + " baud";
+            + (streaming ? "" : ", on request") + ", " + baud + " baud";
     }
 }

@@ -287,8 +287,7 @@ final class LmsCommands {
                 variant = wanted;
             }
             device.reply(LmsCommand.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread())
-                .word(variant.getResolution())
-                .add(StatusByte.OK).toBytes(), t);
+                .word(variant.getResolution()).add(StatusByte.OK).toBytes(), t);
         });
     }
 

@@ -210,8 +210,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         } else if (!act(opcode, a, time) && !report(opcode, a, count, time)) {
             String first = count > 0 ? " with first argument " + a[0] : "";
             context.warn("command " + opcode, "command " + opcode.getCode() + " (" + opcode + ")" + first
-                + " is not possible on a " + model.getName()
-                + ": ignored");
+                + " is not possible on a " + model.getName() + ": ignored");
         }
     }
 
@@ -367,8 +366,7 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
         stream.start(ids);
         if (stream.frameSize() > Uart.bytes(BEAT, baud)) {
             context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud)
-                + " bytes every 15 ms exceeds " + baud
-                + " baud; the robot skips frames");
+                + " bytes every 15 ms exceeds " + baud + " baud; the robot skips frames");
         }
         return true;
     }
@@ -473,7 +471,6 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
     public String status() {
         String song = songs.isPlaying(beats * BEAT) ? ", song " + songs.getNumber() : "";
         return "OI mode: " + mode.name().toLowerCase(java.util.Locale.ROOT) + (asleep ? " (asleep)" : "") + ", "
-            + lights.describe()
-            + song + ", battery " + battery.getCharge() + " mAh";
+            + lights.describe() + song + ", battery " + battery.getCharge() + " mAh";
     }
 }

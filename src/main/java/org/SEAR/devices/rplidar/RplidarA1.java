@@ -26,8 +26,7 @@ public final class RplidarA1 extends ScannerFirmware {
     private static final double BOOT = 1;
     private static final int EXPRESS_PAYLOAD = 5;
     private static final byte[] SERIAL = {(byte) 0xEB, (byte) 0xB3, (byte) 0x99, (byte) 0xF6, (byte) 0xC9, (byte) 0xE5,
-        (byte) 0x9A, (byte) 0xD2,
-        (byte) 0xC5, (byte) 0xE5, (byte) 0x9C, (byte) 0xF7, 0x17, 0x61, 0x34, 0x12};
+        (byte) 0x9A, (byte) 0xD2, (byte) 0xC5, (byte) 0xE5, (byte) 0x9C, (byte) 0xF7, 0x17, 0x61, 0x34, 0x12};
     private static final Info INFO = new Info(Info.A1M8, 1, 20, 0, SERIAL);
     /** Duration of a sample, us: 500 in standard scans, 250 in express scans. */
     private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};

@@ -94,8 +94,7 @@ final class BundleRules {
         }
         if (!legal) {
             refuse(name, "a path inside the project, with forward slashes, at most " + MAX_PATH
-                + " characters and " + MAX_DEPTH
-                + " folders deep, each part " + TextRule.NAME.legal());
+                + " characters and " + MAX_DEPTH + " folders deep, each part " + TextRule.NAME.legal());
         }
         return legal;
     }

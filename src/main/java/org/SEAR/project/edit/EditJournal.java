@@ -65,8 +65,7 @@ final class EditJournal {
             }
         } catch (IOException e) {
             throw new IOException("the undo steps in " + folder + " can't be read (" + e.getMessage()
-                + "): delete that folder to"
-                + " continue without them", e);
+                + "): delete that folder to continue without them", e);
         }
         Path state = folder.resolve(STATE);
         Matcher text = STATE_TEXT.matcher(

@@ -151,8 +151,7 @@ final class EditValues {
             if (wanted.containsKey(seen.getKey()) && !same(present, seen.getValue())
                 && !same(present, wanted.get(seen.getKey()))) {
                 problems.add(file, 0, name, text(wanted.get(seen.getKey())), "a value based on the present one, "
-                    + text(present)
-                    + ", since another page or a script has changed it meanwhile");
+                    + text(present) + ", since another page or a script has changed it meanwhile");
             }
         }
     }

@@ -153,8 +153,7 @@ final class Finder {
 
     private static ProjectException refused(String name, List<ObjectLocation> found) {
         String legal = found.isEmpty() ? "the name of an object of the project; it may have been deleted or "
-            + "renamed meanwhile"
-            : found.stream().map(ObjectLocation::address).collect(Collectors.joining(" or "));
+            + "renamed meanwhile" : found.stream().map(ObjectLocation::address).collect(Collectors.joining(" or "));
         return new ProjectException(List.of(new Problem("project", 0, "object", name, legal)));
     }
 

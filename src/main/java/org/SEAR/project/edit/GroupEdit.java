@@ -27,7 +27,6 @@ final class GroupEdit extends Edit {
         }
         String words = request.textOrNull("words");
         return new EditResult(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more"
-            : "") : words, last.object,
-            besides);
+            : "") : words, last.object, besides);
     }
 }

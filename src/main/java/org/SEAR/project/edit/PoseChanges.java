@@ -19,8 +19,7 @@ import org.SEAR.project.xml.Xml;
 /** Objects and robots whose pose an edit changes, and whether it changes anything else. Immutable, any thread. */
 final class PoseChanges {
     private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude",
-        "placeLongitude",
-        "placeHeading");
+        "placeLongitude", "placeHeading");
 
     /**
      * Names of environment objects and robots; for the Dynamics of robots, the component's name in the robot's file.

@@ -164,8 +164,7 @@ public final class ProjectEditor {
             journal.undo();
             return new Outcome(step.words, null, outside == null ? null : "only " + outside.words
                 + " was undone, since it came last; undo again reverts the edit before, redo restores the changes",
-                step.changes,
-                journal);
+                step.changes, journal);
         });
     }
 
@@ -181,8 +180,7 @@ public final class ProjectEditor {
             UndoStep step = journal.redoable();
             if (step == null) {
                 throw new IllegalStateException(outside == null ? "there is nothing to redo"
-                    : "there is nothing to redo: " + outside.words
-                    + " came after the undo");
+                    : "there is nothing to redo: " + outside.words + " came after the undo");
             }
             journal.redo();
             return new Outcome(step.words, null, null, step.changes, journal);

@@ -88,8 +88,7 @@ final class ModelAssets extends DesktopAssetManager {
                 throw e;
             }
             leftOut.add("its picture " + key.getName() + " can't be shown: "
-                + (e instanceof AssetNotFoundException ? MISSING
-                : reason.getMessage().split("\n")[0]));
+                + (e instanceof AssetNotFoundException ? MISSING : reason.getMessage().split("\n")[0]));
             Texture2D plain = new Texture2D(
                 new Image(Image.Format.RGBA8, 1, 1, BufferUtils.createByteBuffer((byte) -1, (byte) -1, (byte) -1,
                 (byte) -1), ColorSpace.sRGB));

@@ -151,8 +151,7 @@ public final class ModelLoader {
         String path = Assets.normal(model.getPath());
         if (!isModel(path) || !assets.has(path)) {
             throw new IOException(model + ": path is \"" + model.getPath() + "\", legal: a file below assets that ends "
-                + "with one of "
-                + String.join(", ", ENDINGS));
+                + "with one of " + String.join(", ", ENDINGS));
         }
         long size = assets.size(path);
         if (size > ModelLimits.MAX_FILE) {

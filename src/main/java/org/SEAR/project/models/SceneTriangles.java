@@ -140,8 +140,7 @@ final class SceneTriangles {
         int count = solid.getMesh().getVertexCount();
         if (buffer.getNumComponents() != 3 || buffer.getNumElements() < count) {
             throw FileLimits.wrong(file, "the positions of " + name(solid), buffer.getNumElements() + " x "
-                + buffer.getNumComponents(),
-                count + " of 3 numbers each");
+                + buffer.getNumComponents(), count + " of 3 numbers each");
         }
         Matrix4f place = place(solid);
         Vector3f point = new Vector3f();

@@ -30,8 +30,7 @@ final class Call {
         @Override
         protected List<Call> computeValue(Class<?> type) {
             return calls(type, Arrays.stream(type.getMethods()).filter(m -> !Modifier.isStatic(m.getModifiers())
-                && !m.isBridge()
-                && m.getDeclaringClass() != Object.class && m.getParameterCount() > 0 && !m.getName()
+                && !m.isBridge() && m.getDeclaringClass() != Object.class && m.getParameterCount() > 0 && !m.getName()
                     .matches("(get|has|is)[A-Z].*"))
                 .collect(Collectors.toList()));
         }

@@ -13,8 +13,7 @@ import org.SEAR.grammar.Parameter;
 /** Python 2.7 literals in ASCII, escaped so that no text of a project can become code. Any thread. */
 final class PythonText {
     private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del",
-        "elif", "else", "except",
-        "exec", "finally", "for", "from", "global", "if", "import", "in",
+        "elif", "else", "except", "exec", "finally", "for", "from", "global", "if", "import", "in",
         "is", "lambda", "not", "or", "pass", "print", "raise", "return", "try", "while",
         "with", "yield", "none", "true", "false", "sear", "python", "runtime", "java", "javax", "org", "com",
             "sys", "sleep");

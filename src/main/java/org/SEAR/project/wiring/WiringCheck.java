@@ -48,8 +48,7 @@ public final class WiringCheck {
                 parsed.file);
             if (part == null) {
                 problems.add(parsed.file, line, "wire", wire.getPart(), "the name of a component of " + robot.getName()
-                    + " that has wires: "
-                    + wirable(robot));
+                    + " that has wires: " + wirable(robot));
             } else if (problem != null) {
                 problems.add(parsed.file, line, "wire", wire.getPart(), problem);
             } else if (other != null && !other.equals(parsed.file)) {
@@ -61,8 +60,7 @@ public final class WiringCheck {
 
     private static String wirable(SEARrobot robot) {
         List<String> names = robot.getComponents().stream().filter(part -> WireRules.problem(part, null) == null)
-            .map(SearObject::getName)
-            .collect(Collectors.toList());
+            .map(SearObject::getName).collect(Collectors.toList());
         return names.isEmpty() ? "it has none" : String.join(", ", names);
     }
 }

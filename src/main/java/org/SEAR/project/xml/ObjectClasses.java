@@ -52,8 +52,7 @@ public final class ObjectClasses {
             inOrder.add(type);
         } else if (known != type) {
             throw new IllegalStateException("two classes want the element <" + type.getSimpleName() + ">: "
-                + known.getName() + " and "
-                + type.getName() + "; rename one of them");
+                + known.getName() + " and " + type.getName() + "; rename one of them");
         }
     }
 

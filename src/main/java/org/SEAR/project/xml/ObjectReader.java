@@ -42,8 +42,7 @@ final class ObjectReader {
         String stray = reader.getValue();
         if (stray != null && !stray.trim().isEmpty()) {
             problems.add(file, startLine, path.isEmpty() ? "text" : path.substring(0, path.length() - 1), stray.trim(),
-                "elements only: "
-                + String.join(", ", table.names()));
+                "elements only: " + String.join(", ", table.names()));
         }
         while (!problems.isFull() && reader.hasMoreChildren()) {
             reader.moveDown();

@@ -184,8 +184,7 @@ public final class Xml {
     }
 
     private static ParsedObject unmarshal(String text, String name, Map<String, ? extends Class<?>> classes,
-        ProblemList problems)
-            throws XMLStreamException {
+        ProblemList problems) throws XMLStreamException {
         StrictXmlStream stream = new StrictXmlStream(FACTORIES.get().createXMLStreamReader(new StringReader(text)));
         HierarchicalStreamReader reader = new StaxReader(new QNameMap(), stream);
         String root = reader.getNodeName();
@@ -225,8 +224,7 @@ public final class Xml {
         }
         if (isCutOff(text, e, said)) {
             problems.add(name, Math.max(1, line), "", "the file ends in the middle",
-                "the whole file, with the closing tag of its first element"
-                + " (was it copied or saved only in part?)");
+                "the whole file, with the closing tag of its first element (was it copied or saved only in part?)");
             return;
         }
         int message = said.indexOf("Message: ");

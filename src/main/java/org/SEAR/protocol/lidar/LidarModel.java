@@ -70,8 +70,7 @@ public enum LidarModel {
     private final List<Fans> fans;
 
     LidarModel(String name, String maker, LidarProtocol protocol, double range, double farthest, double nearest,
-        double spread, double resolution,
-            double scanRate, int[] rates, Fans... fans) {
+        double spread, double resolution, double scanRate, int[] rates, Fans... fans) {
         this.name = name;
         this.maker = maker;
         this.protocol = protocol;

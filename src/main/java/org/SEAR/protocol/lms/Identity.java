@@ -38,8 +38,7 @@ public final class Identity {
      */
     public static Identity of(String model) {
         return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst()
-            .orElseThrow(() -> new IllegalArgumentException(
-            "SEAR knows no LMS2xx model " + model));
+            .orElseThrow(() -> new IllegalArgumentException("SEAR knows no LMS2xx model " + model));
     }
 
     /** Model name, for example {@code LMS291}. */

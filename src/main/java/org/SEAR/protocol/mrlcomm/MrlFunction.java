@@ -11,8 +11,7 @@ public enum MrlFunction {
     SOFT_RESET(7, ""), ENABLE_ACK(8, "b"), PUBLISH_ACK(9, "b"), ECHO(10, "fbf"), PUBLISH_ECHO(11, "fbf"),
     CUSTOM_MSG(12, "l"),
     PUBLISH_CUSTOM_MSG(13, "l"), DEVICE_DETACH(14, "b"), I2C_BUS_ATTACH(15, "bb"), I2C_READ(16, "bbb"),
-    I2C_WRITE(17, "bbl"),
-    I2C_WRITE_READ(18, "bbbb"), PUBLISH_I2C_DATA(19, "bl"), NEOPIXEL_ATTACH(20, "bbsb"),
+    I2C_WRITE(17, "bbl"), I2C_WRITE_READ(18, "bbbb"), PUBLISH_I2C_DATA(19, "bl"), NEOPIXEL_ATTACH(20, "bbsb"),
     NEOPIXEL_ANIMATION(21, "bbbbbbi"),
     NEOPIXEL_WRITE(22, "bl"), NEOPIXEL_FILL(23, "bssbbbb"), NEOPIXEL_BRIGHTNESS(24, "bb"), NEOPIXEL_CLEAR(25, "b"),
     ANALOG_WRITE(26, "bb"),
@@ -27,8 +26,7 @@ public enum MrlFunction {
     ULTRASONIC_START(48, "b"), ULTRASONIC_STOP(49, "b"), PUBLISH_ULTRASONIC(50, "bs"), SET_AREF(51, "s"),
     MOTOR_ATTACH(52, "bbl"),
     MOTOR_MOVE(53, "bb"), MOTOR_MOVE_TO(54, "bb"), ENCODER_ATTACH(55, "bbb"), SET_ZERO_POINT(56, "b"),
-    PUBLISH_ENCODER(57, "bs"),
-    PUBLISH_BEGIN(58, "b"), SERVO_STOP(59, "b");
+    PUBLISH_ENCODER(57, "bs"), PUBLISH_BEGIN(58, "b"), SERVO_STOP(59, "b");
 
     private static final MrlFunction[] BY_NUMBER = values();
 

@@ -62,8 +62,7 @@ public final class Nmea {
         long scale = Math.round(Math.pow(10, decimals));
         long minutes = Math.round(Math.abs(degrees) * MINUTES * scale);
         return String.format(Locale.ROOT, "%0" + width + "d%02d.%0" + decimals + "d", minutes / (MINUTES * scale),
-            minutes / scale % MINUTES,
-            minutes % scale);
+            minutes / scale % MINUTES, minutes % scale);
     }
 
     /**

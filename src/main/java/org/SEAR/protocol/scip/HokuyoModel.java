@@ -12,8 +12,7 @@ import org.SEAR.protocol.lidar.LidarModel;
 public enum HokuyoModel {
     /** 5.6 m, 240 degrees, 10 scans per second, RS-232 at 19200 baud. */
     URG_04LX(LidarModel.URG_04LX, "URG-04LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor URG-04LX",
-        "3.1.00(18/Jan./2007)", new int[] {20, 5600},
-        new int[] {1024, 44, 725, 384, 768}, 600, new int[] {0, 6, 19}),
+        "3.1.00(18/Jan./2007)", new int[] {20, 5600}, new int[] {1024, 44, 725, 384, 768}, 600, new int[] {0, 6, 19}),
     /** 60 m (30 m guaranteed), 270 degrees, 40 scans per second, USB. */
     UTM_30LX(LidarModel.UTM_30LX, "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX",
         "1.20.02(16/Jul./2013)",

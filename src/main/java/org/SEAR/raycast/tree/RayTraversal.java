@@ -102,18 +102,14 @@ public final class RayTraversal {
                 int left = bits(box[node * Bvh.STRIDE + Bvh.LINK]);
                 int at = left * Bvh.STRIDE;
                 int inLeft = Math.max(Math.max(bits((box[at + x] - nearX) * nearIx),
-                    bits((box[at + y] - nearY) * nearIy)),
-                    Math.max(bits((box[at + z] - nearZ) * nearIz), 0));
+                    bits((box[at + y] - nearY) * nearIy)), Math.max(bits((box[at + z] - nearZ) * nearIz), 0));
                 int outLeft = Math.min(Math.min(bits((box[at + 3 - x] - farX) * farIx),
-                    bits((box[at + 5 - y] - farY) * farIy)),
-                    Math.min(bits((box[at + 7 - z] - farZ) * farIz), reach));
+                    bits((box[at + 5 - y] - farY) * farIy)), Math.min(bits((box[at + 7 - z] - farZ) * farIz), reach));
                 at += Bvh.STRIDE;
                 int inRight = Math.max(Math.max(bits((box[at + x] - nearX) * nearIx),
-                    bits((box[at + y] - nearY) * nearIy)),
-                    Math.max(bits((box[at + z] - nearZ) * nearIz), 0));
+                    bits((box[at + y] - nearY) * nearIy)), Math.max(bits((box[at + z] - nearZ) * nearIz), 0));
                 int outRight = Math.min(Math.min(bits((box[at + 3 - x] - farX) * farIx),
-                    bits((box[at + 5 - y] - farY) * farIy)),
-                    Math.min(bits((box[at + 7 - z] - farZ) * farIz), reach));
+                    bits((box[at + 5 - y] - farY) * farIy)), Math.min(bits((box[at + 7 - z] - farZ) * farIz), reach));
                 if (inLeft <= outLeft) {
                     if (inRight <= outRight) {
                         int leftLast = value(inLeft) + value(outLeft) > value(inRight) + value(outRight) ? 1 : 0;

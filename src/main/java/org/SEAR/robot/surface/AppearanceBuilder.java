@@ -98,8 +98,7 @@ final class AppearanceBuilder {
             return ground((Terrain) shape, grounds.get(solid), temperature);
         }
         return solid instanceof BoxSolid ? new BoxAppearance(Solids.look(solid, shape), half, paint(shape), temperature,
-            !shape.isGround())
-            : new PlainAppearance(SurfaceColors.plain(shape), temperature);
+            !shape.isGround()) : new PlainAppearance(SurfaceColors.plain(shape), temperature);
     }
 
     /** Returns the picture or the colour of a shape. */

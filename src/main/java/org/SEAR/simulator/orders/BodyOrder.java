@@ -57,8 +57,7 @@ public final class BodyOrder {
         for (double value : new double[] {x, y, z}) {
             if (!(Math.abs(value) <= kind.most)) {
                 throw new IllegalArgumentException(name + ": " + kind.name().toLowerCase() + " is " + value
-                    + " along an axis, legal: " + -kind.most
-                    + " to " + kind.most + " " + kind.unit);
+                    + " along an axis, legal: " + -kind.most + " to " + kind.most + " " + kind.unit);
             }
         }
         if (kind == Kind.PUSH && !(seconds > 0 && seconds <= LONGEST)) {

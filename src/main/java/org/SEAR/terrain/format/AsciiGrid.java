@@ -21,8 +21,7 @@ final class AsciiGrid extends ElevationMap {
     /** Maximum size of an elevation and the white space after it, bytes; a double has at most 24 characters. */
     private static final int MAX_BYTES = 32;
     private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter",
-        "yllcenter", "cellsize", "dx", "dy",
-        "nodata_value");
+        "yllcenter", "cellsize", "dx", "dy", "nodata_value");
 
     private final float[] heights;
 
@@ -81,8 +80,7 @@ final class AsciiGrid extends ElevationMap {
         long most = MAX_HEAD + MAX_BYTES * posts;
         if (file.size() < 2 * posts || file.size() > most) {
             throw FileLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for "
-                + posts + " heights"
-                + (file.size() < most ? " (is it cut off?)" : ""));
+                + posts + " heights" + (file.size() < most ? " (is it cut off?)" : ""));
         }
     }
 
@@ -101,8 +99,7 @@ final class AsciiGrid extends ElevationMap {
 
     private static Georeference guessed(Georeference place, int rows, int columns) {
         boolean degrees = place.xColumn <= 1 && -place.yRow <= 1 && place.x0 >= -181 && place.x(columns - 1, 0) <= 361
-            && place.y0 <= 91
-            && place.y(0, rows - 1) >= -91;
+            && place.y0 <= 91 && place.y(0, rows - 1) >= -91;
         return degrees ? place.in(Georeference.WGS84) : place;
     }
 

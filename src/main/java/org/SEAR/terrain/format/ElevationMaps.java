@@ -87,8 +87,7 @@ public final class ElevationMaps {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
         }
         throw FileLimits.wrong(bytes.getName(), "the file", kind.equals(FileKind.UNKNOWN) && lower.endsWith(".dem")
-            ? "a USGS DEM" : kind,
-            LEGAL + ": convert other elevation maps by " + translation(bytes.getName()));
+            ? "a USGS DEM" : kind, LEGAL + ": convert other elevation maps by " + translation(bytes.getName()));
     }
 
     /** Returns the command of GDAL that converts a map. */

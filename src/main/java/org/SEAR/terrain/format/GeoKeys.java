@@ -80,15 +80,13 @@ final class GeoKeys {
             corner = new Georeference(system(), matrix[3], matrix[7], matrix[0], matrix[4], matrix[1], matrix[5]);
         } else if (ties != null && ties.length > 6) {
             throw FileLimits.wrong(file.name, "the place", ties.length / 6 + " control points",
-                "ModelPixelScale and ModelTiepoint, or "
-                + "ModelTransformation: convert the map by " + warp());
+                "ModelPixelScale and ModelTiepoint, or ModelTransformation: convert the map by " + warp());
         } else {
             return null;
         }
         if (!corner.isRegular()) {
             throw FileLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of "
-                + corner.xColumn + ", "
-                + corner.yRow, "finite numbers, steps other than 0");
+                + corner.xColumn + ", " + corner.yRow, "finite numbers, steps other than 0");
         }
         return keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT ? corner : corner.from(0.5, 0.5);
     }

@@ -53,8 +53,7 @@ final class MapTokens {
         }
         if (c >= 0 && c < ' ') {
             throw FileLimits.wrong(file.getName(), "the character at byte " + place(), c,
-                "text: numbers of an ESRI ASCII grid (is it another"
-                + " or an incomplete file?)");
+                "text: numbers of an ESRI ASCII grid (is it another or an incomplete file?)");
         }
         while (c > ' ') {
             if (length == LONGEST) {

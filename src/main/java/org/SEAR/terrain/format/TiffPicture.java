@@ -89,8 +89,7 @@ public final class TiffPicture implements Closeable {
         int first = column / image.blockColumns;
         int many = (column + width - 1) / image.blockColumns - first + 1;
         FileLimits.range(image.file.name, "the size of a row of tiles",
-            many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0,
-            TiffImage.MAX_BLOCK);
+            many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0, TiffImage.MAX_BLOCK);
         int planes = image.together ? 1 : image.samples;
         byte[][] blocks = new byte[many * planes][];
         for (int i = 0; i < blocks.length; i++) {

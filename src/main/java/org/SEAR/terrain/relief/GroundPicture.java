@@ -12,8 +12,7 @@ public final class GroundPicture {
     private static final ColorRamp TINTS = new ColorRamp(new float[] {0, 0.62f, 0.75f, 0.55f},
         new float[] {0.22f, 0.78f, 0.84f, 0.62f},
         new float[] {0.45f, 0.93f, 0.90f, 0.70f}, new float[] {0.68f, 0.88f, 0.77f, 0.57f},
-        new float[] {0.86f, 0.76f, 0.62f, 0.49f},
-        new float[] {1, 0.95f, 0.93f, 0.91f});
+        new float[] {0.86f, 0.76f, 0.62f, 0.49f}, new float[] {1, 0.95f, 0.93f, 0.91f});
     /** Mean slope, metres per metre, below which shading exaggerates the relief to make it visible. */
     private static final double VISIBLE_SLOPE = 0.3;
     private static final double MAX_EXAGGERATION = 3;

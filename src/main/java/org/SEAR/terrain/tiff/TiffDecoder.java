@@ -16,8 +16,7 @@ final class TiffDecoder {
     private static final int OLD_DEFLATE = 32946;
     private static final int PACK_BITS = 32773;
     private static final Map<Integer, String> OTHERS = Map.of(2, "CCITT", 3, "CCITT fax 3", 4, "CCITT fax 4", 6,
-        "old JPEG", 7, "JPEG",
-        34712, "JPEG 2000", 34887, "LERC", 34925, "LZMA", 50000, "ZSTD", 50001, "WebP");
+        "old JPEG", 7, "JPEG", 34712, "JPEG 2000", 34887, "LERC", 34925, "LZMA", 50000, "ZSTD", 50001, "WebP");
 
     private TiffDecoder() {
     }

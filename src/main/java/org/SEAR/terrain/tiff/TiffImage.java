@@ -132,8 +132,7 @@ public final class TiffImage {
         long many = down * across * (together ? 1 : samples);
         if (many > MAX_READ) {
             throw FileLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ
-                + ": cut the map, or give it"
-                + " tiles of 256 x 256, for example by gdal_translate -co TILED=YES");
+                + ": cut the map, or give it tiles of 256 x 256, for example by gdal_translate -co TILED=YES");
         }
     }
 

@@ -20,8 +20,7 @@ public final class StatusText {
     static String status(Snapshot snapshot, Hud.State state) {
         List<String> lines = new ArrayList<>();
         lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", snapshot.time, state.measuredSpeed,
-            factor(state.wantedSpeed),
-            state.paused ? "   PAUSED" : ""));
+            factor(state.wantedSpeed), state.paused ? "   PAUSED" : ""));
         for (int i = 0; i < snapshot.robots.size(); i++) {
             lines.addAll(robot(snapshot.robots.get(i), snapshot.robots.size() > 1 && i == state.robot));
         }

@@ -32,8 +32,7 @@ public enum Key {
     CAMERA("F6", "next camera's picture, or none", KeyInput.KEY_F6),
     SCREENSHOT("F12", "save a picture of the window", KeyInput.KEY_F12),
     SENSOR("1 to 9", "beams of one sensor", KeyInput.KEY_1, KeyInput.KEY_2, KeyInput.KEY_3, KeyInput.KEY_4,
-        KeyInput.KEY_5, KeyInput.KEY_6,
-        KeyInput.KEY_7, KeyInput.KEY_8, KeyInput.KEY_9);
+        KeyInput.KEY_5, KeyInput.KEY_6, KeyInput.KEY_7, KeyInput.KEY_8, KeyInput.KEY_9);
 
     /** Label of the key. */
     public final String label;

@@ -29,8 +29,7 @@ public final class CameraFrame {
     public CameraFrame(String camera, String words, int width, int height, int... pixels) {
         if (width < 1 || height < 1 || width > LONGEST || height > LONGEST || pixels.length != width * height) {
             throw new IllegalArgumentException("a picture of " + width + " x " + height + " with " + pixels.length
-                + " pixels, legal: 1 x 1 to "
-                + LONGEST + " x " + LONGEST);
+                + " pixels, legal: 1 x 1 to " + LONGEST + " x " + LONGEST);
         }
         this.camera = camera;
         this.words = words;

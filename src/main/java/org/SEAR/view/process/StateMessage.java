@@ -48,8 +48,7 @@ public final class StateMessage {
     /** Returns the current state of a world after its first step. */
     public static StateMessage of(WorldLink world) {
         return new StateMessage(world.snapshot(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(),
-            world.scriptDrives(),
-            world.picture());
+            world.scriptDrives(), world.picture());
     }
 
     private interface Writer<T> {
@@ -164,8 +163,7 @@ public final class StateMessage {
         });
         List<double[]> contacts = readAll(in, () -> numbers(in));
         Snapshot snapshot = new Snapshot(step, time, environment, robots,
-            Collections.unmodifiableMap(readings), contacts,
-            readAll(in, in::readUTF));
+            Collections.unmodifiableMap(readings), contacts, readAll(in, in::readUTF));
         return new StateMessage(snapshot, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
     }
 

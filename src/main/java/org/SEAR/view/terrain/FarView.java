@@ -50,8 +50,7 @@ public final class FarView {
         }
         float scale = OVERLAP * near.getFrustumFar() / near.getFrustumNear();
         far.setFrustum(OVERLAP * near.getFrustumFar(), FAR, scale * near.getFrustumLeft(),
-            scale * near.getFrustumRight(),
-            scale * near.getFrustumTop(), scale * near.getFrustumBottom());
+            scale * near.getFrustumRight(), scale * near.getFrustumTop(), scale * near.getFrustumBottom());
         far.setFrame(near.getLocation(), near.getRotation());
         sky.updateLogicalState(frameTime);
         sky.updateGeometricState();

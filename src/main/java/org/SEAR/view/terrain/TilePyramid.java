@@ -215,8 +215,7 @@ final class TilePyramid {
         for (int i = 0; i < CELLS; i++) {
             for (int j = 0; j < CELLS; j++) {
                 most = Math.max(most, step(level - 1, postRow(level, row, i), postRow(level, row, i + 1),
-                    postColumn(level, column, j),
-                    postColumn(level, column, j + 1)));
+                    postColumn(level, column, j), postColumn(level, column, j + 1)));
             }
         }
         return most;

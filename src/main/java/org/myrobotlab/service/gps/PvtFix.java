@@ -76,8 +76,7 @@ public final class PvtFix {
         return LocalDate.of((int) NavPvt.YEAR.get(payload), 1, 1).plusMonths(NavPvt.MONTH.get(payload) - 1)
             .plusDays(NavPvt.DAY.get(payload) - 1)
             .atStartOfDay().plusHours(NavPvt.HOUR.get(payload)).plusMinutes(NavPvt.MINUTE.get(payload))
-            .plusSeconds(NavPvt.SECOND.get(payload))
-            .plusNanos(NavPvt.NANO.get(payload) + HALF);
+            .plusSeconds(NavPvt.SECOND.get(payload)).plusNanos(NavPvt.NANO.get(payload) + HALF);
     }
 
     private static int quality(byte[] payload) {

@@ -47,8 +47,7 @@ final class HokuyoFan {
      */
     static HokuyoFan of(Reply reply) {
         return new HokuyoFan(reply.number("DMIN"), reply.number("DMAX"), reply.number("ARES"), reply.number("AMIN"),
-            reply.number("AMAX"),
-            reply.number("AFRT"));
+            reply.number("AMAX"), reply.number("AFRT"));
     }
 
     /** Returns the command that measures all steps. */

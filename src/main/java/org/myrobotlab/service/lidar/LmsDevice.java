@@ -52,8 +52,7 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     public void learn() {
         learnConfiguration();
         ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD,
-            SHORT_TIMEOUT,
-            reply -> onStatus(LmsStatus.of(reply)));
+            SHORT_TIMEOUT, reply -> onStatus(LmsStatus.of(reply)));
     }
 
     private void onStatus(LmsStatus status) {
@@ -101,15 +100,13 @@ public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
         }
         LmsPayload request = LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
         pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request,
-            OVERHEAD + 3, MODE_TIMEOUT,
-            reply -> {
+            OVERHEAD + 3, MODE_TIMEOUT, reply -> {
                 int nowSpread = reply.wordAt(2);
                 int nowResolution = reply.wordAt(4);
                 fan(nowSpread, nowResolution);
                 if (reply.at(1) != 1) {
                     listener.error("the LIDAR rejected scan mode " + spread + ", " + newResolution + " and stays at "
-                        + nowSpread + ", "
-                        + nowResolution / HUNDREDTHS);
+                        + nowSpread + ", " + nowResolution / HUNDREDTHS);
                 }
             }));
     }

@@ -87,8 +87,7 @@ final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.
             taker.accept(telegram);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
             events.error("the LIDAR sent an invalid telegram " + Integer.toHexString(telegram.getCommand()) + "h, "
-                + telegram.size()
-                + " bytes: " + e.getMessage());
+                + telegram.size() + " bytes: " + e.getMessage());
         }
     }
 }

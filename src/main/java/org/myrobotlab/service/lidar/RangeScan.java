@@ -85,8 +85,7 @@ public final class RangeScan {
         String counted = String.format(Locale.ROOT, "scan of %d readings over %s degrees, %d of them distances",
             raw.length, plain(spread), returns);
         return nearest < 0 ? counted : counted + String.format(Locale.ROOT, ", the nearest %s m at %s degrees",
-            plain(metres[nearest]),
-            plain(angles[nearest]));
+            plain(metres[nearest]), plain(angles[nearest]));
     }
 
     private static String plain(double number) {

@@ -60,8 +60,7 @@ public interface Reconnects extends SerialDataListener {
         } else {
             driver.reconnectWhenBack(port, false);
             ((Service<?>) driver).info("there is no port %s: %s connects to it as soon as a simulation has it; "
-                + "reconnectSerial() tries again", port,
-                driver.getName());
+                + "reconnectSerial() tries again", port, driver.getName());
         }
     }
 }

@@ -70,8 +70,7 @@ public final class SerialLink {
         }
         if (!port.equals(serial.getPortName())) {
             throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, "
-                + "or it is in use; "
-                + known());
+                + "or it is in use; " + known());
         }
         opened = serial.getPort();
         baud = newBaud;

@@ -34,8 +34,7 @@ public final class RepeatedErrors {
         }
         int from = place;
         return IntStream.range(0, lines.length).filter(i -> i == from || i > from && !lines[i].startsWith("    "))
-            .mapToObj(i -> lines[i])
-            .collect(Collectors.joining("\n"));
+            .mapToObj(i -> lines[i]).collect(Collectors.joining("\n"));
     }
 
     /** Returns a sentence for each repeated error, and forgets all errors. */

@@ -30,8 +30,7 @@ final class ScriptHints {
 
     /** Errors that the package explains. */
     private static final List<PyObject> KINDS = List.of(Py.TypeError, Py.NameError, Py.AttributeError, Py.ImportError,
-        Py.ValueError,
-        Py.IndexError);
+        Py.ValueError, Py.IndexError);
 
     private ScriptHints() {
     }
@@ -65,8 +64,7 @@ final class ScriptHints {
         }
         PyObject traceback = e.traceback == null ? Py.None : e.traceback;
         String hint = text("failed", e.type, new PyUnicode(message), traceback, calledBack == null ? Py.None
-            : calledBack,
-            Py.java2py(new SourceText()));
+            : calledBack, Py.java2py(new SourceText()));
         return hint.isEmpty() ? "" : "\n" + hint;
     }
 

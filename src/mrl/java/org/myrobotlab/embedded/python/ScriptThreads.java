@@ -17,22 +17,12 @@ import org.python.core.PyTraceback;
  */
 public final class ScriptThreads {
     /** Patches this interpreter's Thread class: each thread is known from its start call on and runs its work here. */
-    private static final String HOOK = "import threading\n"
-        + "def known(start):\n"
-        + "    def begin(thread):\n"
-        + "        threads.starts()\n"
-        + "        try:\n"
-        + "            start(thread)\n"
-        + "        except:\n"
-        + "            threads.failedToStart()\n"
-        + "            raise\n"
-        + "    return begin\n"
-        + "def hooked(bootstrap):\n"
-        + "    def begin(thread):\n"
-        + "        work = thread.run\n"
+    private static final String HOOK = "import threading\ndef known(start):\n    def begin(thread):\n"
+        + "        threads.starts()\n        try:\n            start(thread)\n        except:\n"
+        + "            threads.failedToStart()\n            raise\n    return begin\ndef hooked(bootstrap):\n"
+        + "    def begin(thread):\n        work = thread.run\n"
         + "        thread.run = lambda: threads.run(work, thread.getName(), thread.isDaemon())\n"
-        + "        bootstrap(thread)\n"
-        + "    return begin\n"
+        + "        bootstrap(thread)\n    return begin\n"
         + "threading.Thread._Thread__bootstrap = hooked(threading.Thread._Thread__bootstrap)\n"
         + "threading.Thread.start = known(threading.Thread.start)\n";
     private static final Pattern OWN = Pattern.compile("  File \".*(/Lib/|__pyclasspath__|\\$py\\.class).*");

@@ -26,8 +26,7 @@ public final class ServiceTypes {
     private static Set<String> here() {
         try {
             return PackageClasses.of(PACKAGE, ServiceTypes.class.getClassLoader()).stream()
-                .filter(ServiceTypes::isService)
-                .collect(Collectors.toCollection(TreeSet::new));
+                .filter(ServiceTypes::isService).collect(Collectors.toCollection(TreeSet::new));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -68,8 +68,7 @@ public final class Python3Script {
             process = builder.start();
         } catch (IOException e) {
             err.write(("sear: " + script + " is Python 3, but there is no " + python + " to run it: install Python 3.9 "
-                + "or newer, or set SEAR_PYTHON"
-                + " to it\n").getBytes(StandardCharsets.UTF_8));
+                + "or newer, or set SEAR_PYTHON to it\n").getBytes(StandardCharsets.UTF_8));
             return NOT_FOUND;
         }
         return waitFor(process);

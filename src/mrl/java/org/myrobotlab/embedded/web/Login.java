@@ -28,8 +28,7 @@ final class Login implements HttpHandler {
     private static final HttpString REFERRER_POLICY = new HttpString("Referrer-Policy");
     private static final HttpString CONTENT_POLICY = new HttpString("Content-Security-Policy");
     private static final String PAGE_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src "
-        + "'unsafe-inline'; form-action 'self'; "
-        + "frame-ancestors 'none'; base-uri 'none'";
+        + "'unsafe-inline'; form-action 'self'; frame-ancestors 'none'; base-uri 'none'";
     private static final String BEARER = "Bearer ";
     private static final String TOKEN = "token";
     private static final String FORM = "/login";
@@ -171,8 +170,7 @@ final class Login implements HttpHandler {
         exchange.getResponseHeaders().put(Headers.WWW_AUTHENTICATE, BEARER.trim());
         String accepted = exchange.getRequestHeaders().getFirst(Headers.ACCEPT);
         if (status == StatusCodes.UNAUTHORIZED && Guard.is(exchange, Methods.GET) && accepted != null
-            && accepted.contains(HTML)
-            && !exchange.getRequestPath().startsWith(CALLS)) {
+            && accepted.contains(HTML) && !exchange.getRequestPath().startsWith(CALLS)) {
             send(exchange, status, "login.html", "");
         } else if (status == StatusCodes.TOO_MANY_REQUESTS) {
             exchange.getResponseHeaders().put(Headers.RETRY_AFTER, String.valueOf(TokenAttempts.WINDOW_SECONDS));
@@ -190,8 +188,7 @@ final class Login implements HttpHandler {
             String text = new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("MESSAGE", message);
             exchange.setStatusCode(status);
             exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, HTML + "; charset=utf-8")
-                .put(Headers.CACHE_CONTROL, "no-store")
-                .put(CONTENT_POLICY, PAGE_POLICY);
+                .put(Headers.CACHE_CONTROL, "no-store").put(CONTENT_POLICY, PAGE_POLICY);
             exchange.getResponseSender().send(text);
         } catch (IOException e) {
             throw new IllegalStateException(e);

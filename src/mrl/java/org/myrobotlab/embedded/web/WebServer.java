@@ -82,8 +82,7 @@ public final class WebServer {
         }
         Address.Names names = address.names(port);
         PathHandler paths = Handlers.path(Guard.reading(fresh(files)))
-            .addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls)))
-            .addExactPath(API + "/messages",
+            .addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls))).addExactPath(API + "/messages",
                 CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls))));
         for (String name : LIBRARIES) {
             paths.addPrefixPath("/webjars/" + name, Guard.reading(library(name)));
@@ -91,8 +90,7 @@ public final class WebServer {
         worker = Xnio.getInstance(HttpOpenListener.class.getClassLoader())
             .createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
             .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS)
-            .set(Options.TCP_NODELAY, true)
-            .set(Options.WORKER_NAME, "web server " + port).getMap());
+            .set(Options.TCP_NODELAY, true).set(Options.WORKER_NAME, "web server " + port).getMap());
         http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
             // RequestBody has its own limit
             .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)

@@ -13,8 +13,7 @@ import org.myrobotlab.service.meta.abstracts.MetaData;
 
 /** Methods of every service. */
 public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypeProvider, MessageSubscriber, MessageSender,
-    StateSaver, Invoker,
-    StatePublisher, StatusPublisher, ServiceStatus, TaskManager, Attachable, MessageInvoker,
+    StateSaver, Invoker, StatePublisher, StatusPublisher, ServiceStatus, TaskManager, Attachable, MessageInvoker,
     Comparable<ServiceInterface> {
     /** Starts the threads. */
     void startService();

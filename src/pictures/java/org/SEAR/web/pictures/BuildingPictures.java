@@ -120,8 +120,7 @@ final class BuildingPictures {
         browser.until("all that is to be seen", () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
             + "document.querySelector('.sear-main')).scope(), scene = scope.view.scene();"
             + "return Object.keys(scene.looks.wanted).length === 0 && scope.edits.selected !== null"
-            + " && scope.building.found() !== null"
-            + " && scene.objects.every(function(item) { return item.dressed })"
+            + " && scope.building.found() !== null && scene.objects.every(function(item) { return item.dressed })"
             + " && scene.robots.every(function(robot) { return robot.parts.every(function(item) { return "
                 + "item.dressed }) })")));
     }
@@ -132,8 +131,7 @@ final class BuildingPictures {
         WebElement canvas = browser.see(".sear-scene");
         List<Number> at = (List<Number>) browser.script("var box = arguments[0].getBoundingClientRect();"
             + "var at = angular.element(arguments[0]).scope().view.scene().toScreen(arguments[1], arguments[2], "
-            + "arguments[3]);"
-            + "return [box.left + at.x, box.top + at.y]", canvas, x, y, z);
+            + "arguments[3]);return [box.left + at.x, box.top + at.y]", canvas, x, y, z);
         return new double[] {at.get(0).doubleValue(), at.get(1).doubleValue()};
     }
 

@@ -36,8 +36,7 @@ final class CameraPictures {
             browser.script("var button = document.querySelector(\"[data-eye='kinect'] button\"), box = "
                 + "button.getBoundingClientRect();"
                 + "button.dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.9 "
-                + "* box.width,"
-                + " clientY: box.top + 0.5 * box.height}))");
+                + "* box.width, clientY: box.top + 0.5 * box.height}))");
             browser.seeText("[data-eye='kinect'] .sear-eye-words", "ahead");
             browser.click("[data-eye='eye']:not([data-large]) .sear-enlarge");
             browser.see(".sear-eye-large img");

@@ -28,8 +28,7 @@ final class Film {
         + "document.body.appendChild(hand);"
         + "hand.style.cssText = 'position:fixed;left:0;top:0;z-index:99999;pointer-events:none';"
         + "hand.innerHTML = '<svg width=\"26\" height=\"26\"><path d=\"M2 2v19l5-4 3 7 3-1-3-7h7z\" fill=\"white\" "
-        + "stroke=\"black\"/></svg>';"
-        + "window.addEventListener('mousemove', function(event) {"
+        + "stroke=\"black\"/></svg>';window.addEventListener('mousemove', function(event) {"
         + " hand.style.transform = 'translate(' + event.clientX + 'px,' + event.clientY + 'px)' }, true);";
     private static final String MIDDLE = "var box = arguments[0].getBoundingClientRect();"
         + "return [box.left + box.width / 2, box.top + box.height / 2]";

@@ -22,8 +22,7 @@ final class TilePictures {
     private static final String FRAME = String.join("\n",
         "var style = document.createElement('style')",
         "style.textContent = '.sear-canvas { position: fixed !important; left: 0; top: 0; width: 480px; height: 300px "
-        + "!important; min-height: 0;'",
-        "    + ' z-index: 9999; border: 0 !important; border-radius: 0 !important }'",
+        + "!important; min-height: 0;'", "    + ' z-index: 9999; border: 0 !important; border-radius: 0 !important }'",
         "    + ' .sear-over, .sear-note, .sear-welcome { display: none !important }'",
         "document.head.appendChild(style)");
     private static final String BUILT = String.join("\n",

@@ -83,8 +83,7 @@ public class ContestTest {
             Files.readAllBytes(second.resolve("contest.searlog")));
         assertTrue(Files.exists(first.resolve("hasty.txt")));
         Project world = Bundle.load(ROOT.resolve("contests/race/world.sear"), folder.getRoot().toPath()
-            .resolve("SEARproject"),
-            new PercentProgress("opening", first, line -> { }));
+            .resolve("SEARproject"), new PercentProgress("opening", first, line -> { }));
         LessonRun again = new LessonRun(world, first, "", "");
         again.follow(first.resolve("contest.searlog"), world, 90);
         assertEquals(0, Math.max(0, 5.5 - Arrays.stream(again.trail("red").getZ()).max().orElse(0)), 0);
@@ -101,8 +100,7 @@ public class ContestTest {
             python.exec("from org.myrobotlab.service import Runtime\nfrom org.SEAR.POJOs import Distance, "
                 + "Floor, Robots\n"
                 + "sear = Runtime.start('sear', 'SEAR')\nsear.newProject()\nFloor('floor', 40, 40)\nfor i "
-                + "in range(7):\n"
-                + "    robot = Robots.rover('rover%d' % i)\n    robot.move(2 * i, 0, 0)\n    "
+                + "in range(7):\n    robot = Robots.rover('rover%d' % i)\n    robot.move(2 * i, 0, 0)\n    "
                 + "robot.addComponent(Distance('ping%d' % i, 'laser'))\n"
                 + "sear.saveProject('" + contest.resolve("world.sear") + "')\n");
         } finally {
@@ -166,8 +164,7 @@ public class ContestTest {
         String told = run(entered(contest, "good", good,
             "failing", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\nprint 1 / 0\n",
             "hanging", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\ntry:\n    while True: pass\nexcept:\n    "
-            + "sear.simSleep(1)\n",
-            "short", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\n",
+            + "sear.simSleep(1)\n", "short", START + "sear.driveStraight(0.3)\nsear.simSleep(1)\n",
             "stubborn", START + "while True:\n    try:\n        sear.simSleep(1)\n    except:\n        pass\n",
             "modern", "#!/usr/bin/env python3\nprint('hello')\n",
             "spy", START + "sear.simSleep(1)\nsear.getReading(\"ping0\")\n"));
@@ -190,8 +187,7 @@ public class ContestTest {
         }
         assertEquals("[ping0]", Files.readString(contest.resolve("result/good.txt")).trim());
         assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
-            .filter(name -> name.startsWith("contest "))
-            .collect(Collectors.toList()));
+            .filter(name -> name.startsWith("contest ")).collect(Collectors.toList()));
         assertTrue(Files.readString(contest.resolve("result/failing.txt")).contains("ZeroDivisionError"));
     }
 
@@ -234,8 +230,7 @@ public class ContestTest {
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
         assertTrue(wrong, wrong.startsWith("2\nsear contest: ")
-            && wrong.contains("has an error, which is not an entrant's")
-            && wrong.contains("line 3"));
+            && wrong.contains("has an error, which is not an entrant's") && wrong.contains("line 3"));
         for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')",
             "points of one are NaN, legal: a number"},
             {"sys.exit(3)", "ended itself with status 3, legal: contest.end(words)"}}) {
@@ -276,9 +271,7 @@ public class ContestTest {
     @Test
     public void bumpsAreCountedAndPlacesStored() throws Exception {
         Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, "
-            + "(0, 2), (90, -90)):\n"
-            + "        entry.place(-3, z, heading)\n"
-            + "def stepped(contest): pass\n"
+            + "(0, 2), (90, -90)):\n        entry.place(-3, z, heading)\ndef stepped(contest): pass\n"
             + "def finished(contest):\n    one, two = contest.entries\n    print one.bumps == len(one.trail.bumps), "
                 + "two.trail.length > 0.5\n");
         String drive = START + "sear.driveStraight(0.3)\nsear.simSleep(60)\n";

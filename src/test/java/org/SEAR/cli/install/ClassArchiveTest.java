@@ -65,8 +65,7 @@ public class ClassArchiveTest {
         Files.writeString(script, "from org.SEAR.POJOs import *\nsear = Runtime.start('sear', "
             + "'SEAR')\nFloor('floor', 10, 10)\n"
             + "robot = Robots.create('first', '/dev/user', '/dev/uart')\nrobot.addComponent(LIDAR('scanner', 8, 180, "
-            + "0.5, 0, 0.15, 0.1))\n"
-            + "sear.startSimulation()\nprint 'beams: %d' % len(sear.getLidarResult('scanner'))\n");
+            + "0.5, 0, 0.15, 0.1))\nsear.startSimulation()\nprint 'beams: %d' % len(sear.getLidarResult('scanner'))\n");
         List<String> classes = classes(HOME, script.toString(), "--headless", "--speed", "max", "--port", "none");
         assertTrue("a script reads " + classes.size() + " classes", classes.size() > MOST_OTHERS);
         List<String> others = classes.stream().filter(line -> !line.contains(SHARED)).collect(Collectors.toList());

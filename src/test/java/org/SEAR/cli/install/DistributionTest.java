@@ -131,8 +131,7 @@ public class DistributionTest {
             natives.addAll(entries(jar));
         }
         for (String platform : new String[] {"linux/x64/%slib%s.so", "linux/arm64/%slib%s.so",
-            "macos/x64/%slib%s.dylib", "macos/arm64/%slib%s.dylib",
-            "windows/x64/%s%s.dll"}) {
+            "macos/x64/%slib%s.dylib", "macos/arm64/%slib%s.dylib", "windows/x64/%s%s.dll"}) {
             assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/", "lwjgl")));
             assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/glfw/", "glfw")));
             assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/opengl/", "lwjgl_opengl")));
@@ -150,8 +149,7 @@ public class DistributionTest {
     @Test
     public void everythingIsReadableForTheUser() throws IOException {
         for (String file : new String[] {"LICENSE", "LICENSES.md", "README.md", "docs/install.md", "examples/maze.py",
-            "scripts/demo.py",
-            "bin/sear.bat"}) {
+            "scripts/demo.py", "bin/sear.bat"}) {
             assertTrue(file, Files.isRegularFile(distribution.home().resolve(file)));
         }
     }
@@ -175,8 +173,7 @@ public class DistributionTest {
         Distribution.Result bare = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(),
             List.of("env", "LC_ALL=C", "LANG=C",
             Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home()
-            .resolve("lib") + "/*",
-            "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));
+            .resolve("lib") + "/*", "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));
         assertEquals(bare.toString(), 1, bare.status);
         assertTrue(bare.toString(), bare.err.contains("with LC_ALL=C.UTF-8 in the environment"));
     }
@@ -212,8 +209,7 @@ public class DistributionTest {
         Files.writeString(script, "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + distribution.home()
             .resolve("examples/sensors.sear")
             + "')\nsear.startSimulation()\nsear.simSleep(1)\npython.execFile('" + resources.resolve("LIDAR/LIDAR.py")
-            + "')\nsear.simSleep(3)\n"
-            + "print 'truth ' + str(min(sear.getLidarResult('myLidar')))\npython.execFile('"
+            + "')\nsear.simSleep(3)\nprint 'truth ' + str(min(sear.getLidarResult('myLidar')))\npython.execFile('"
             + resources.resolve("GPS/GPS.py")
             + "')\nsear.simSleep(3.5)\nprint 'truth ' + ' '.join([str(x) for x in sear.getGpsResult('gpsUnit1')])\n");
         Distribution.Result result = sear(script.toString(), "--headless", "--speed", "max", "--port", "none");
@@ -223,8 +219,7 @@ public class DistributionTest {
         assertTrue(result.toString(), scan.lookingAt());
         assertEquals(Double.parseDouble(scan.group(2)), Integer.parseInt(scan.group(1)) / 1000.0, 0.002);
         Matcher fix = Pattern.compile("(latitude (\\S+), longitude (\\S+), altitude (\\S+) m\\R){3,4}truth (\\S+) "
-            + "(\\S+) (\\S+)\\R")
-            .matcher(result.out.substring(scan.end()));
+            + "(\\S+) (\\S+)\\R").matcher(result.out.substring(scan.end()));
         assertTrue(result.toString(), fix.matches());
         assertEquals(Double.parseDouble(fix.group(5)), Double.parseDouble(fix.group(2)), 2e-6);
         assertEquals(Double.parseDouble(fix.group(6)), Double.parseDouble(fix.group(3)), 2e-6);
@@ -286,8 +281,7 @@ public class DistributionTest {
         assertEquals(1, commands.size());
         File log = here.resolve("log.txt").toFile();
         ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + commands.get(0)).directory(here.toFile())
-            .redirectErrorStream(true)
-            .redirectOutput(log);
+            .redirectErrorStream(true).redirectOutput(log);
         shell.environment().merge("PATH", Distribution.java().getParent().toString(), (path, first) -> first
             + File.pathSeparator + path);
         Process process = shell.start();
@@ -376,8 +370,7 @@ public class DistributionTest {
     private static List<String> tree(Path root) throws IOException {
         try (Stream<Path> paths = Files.walk(root)) {
             return paths.sorted().map(path -> root.relativize(path)
-                + (Files.isDirectory(path) ? "/" : " " + path.toFile().length()))
-                .collect(Collectors.toList());
+                + (Files.isDirectory(path) ? "/" : " " + path.toFile().length())).collect(Collectors.toList());
         }
     }
 }

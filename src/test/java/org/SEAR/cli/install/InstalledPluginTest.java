@@ -64,8 +64,7 @@ public class InstalledPluginTest {
         process = new ProcessBuilder(Distribution.java().toString(), "-Xmx400m", "-Dsear.headless=true",
             "-Dsear.speed=max", "-cp",
             "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "-s", "webgui", "WebGui", "python",
-            "Python", "sear", "SEAR", "lidar",
-            "LIDAR", "gps", "GPS").directory(mrl.toFile()).redirectErrorStream(true)
+            "Python", "sear", "SEAR", "lidar", "LIDAR", "gps", "GPS").directory(mrl.toFile()).redirectErrorStream(true)
             .redirectOutput(log.toFile()).start();
         await("gps", () -> get("/api/service").contains("gps@"));
     }

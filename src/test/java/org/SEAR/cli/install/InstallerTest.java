@@ -25,8 +25,7 @@ public class InstallerTest extends LaidOutMrl {
         List<String> added = after.keySet().stream().filter(path -> !before.containsKey(path))
             .collect(Collectors.toList());
         assertEquals(List.of("libraries/jar/jbullet-20101010-1.jar", "libraries/jar/sear.jar",
-            "libraries/sear-install.json", "resource/SEAR.png",
-            "resource/WebGui/app/service/js/SEARGui.js"), added);
+            "libraries/sear-install.json", "resource/SEAR.png", "resource/WebGui/app/service/js/SEARGui.js"), added);
         assertEquals(List.of("data/config/default/sear.yml", "libraries/serviceData.json"),
             before.keySet().stream().filter(path -> !before.get(path).equals(after.get(path)))
                 .collect(Collectors.toList()));

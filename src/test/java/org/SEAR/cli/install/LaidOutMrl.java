@@ -27,8 +27,7 @@ abstract class LaidOutMrl {
     private static final String CLOCK = "{\"available\":true,\"description\":\"used to generate "
         + "pulses\",\"isCloudService\":false,"
         + "\"simpleName\":\"Clock\",\"type\":\"org.myrobotlab.service.Clock\",\"dependencies\":[],"
-        + "\"workingLevel\":null,"
-        + "\"class\":\"org.myrobotlab.service.meta.ClockMeta\"}";
+        + "\"workingLevel\":null,\"class\":\"org.myrobotlab.service.meta.ClockMeta\"}";
     private static final String SERVICE_DATA = "{\"categoryTypes\":{\"sensors\":{\"name\":\"sensors\","
         + "\"serviceTypes\":[\"org.myrobotlab.service.Pir\"]}},"
         + "\"serviceTypes\":{\"org.myrobotlab.service.Clock\":" + CLOCK + "}}";

@@ -34,8 +34,7 @@ public class LaunchersTest {
                 .replace("%JAVA_OPTS%", "$JAVA_OPTS")
                 .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory").replace("%COMPILER%", "$compiler")
                 .replace("%ARCHIVE%", "${archive:+\"$archive\"}").replace("%*", "\"$@\"").replace("\\", "/")
-                .replace(";", ":")
-                .replace("-Dsear.home=\"$home\"", "-Dsear.home=$home"));
+                .replace(";", ":").replace("-Dsear.home=\"$home\"", "-Dsear.home=$home"));
         }
         words.remove("exec");
         return words;

@@ -99,8 +99,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
             + "--replace-jme replaces it");
         assertSays(text, "  keep    jme3-blender-3.3.2-stable.jar: MyRobotLab has this library");
         assertEquals("The window needs jMonkeyEngine 3.6, but MyRobotLab has jme3-core-3.3.2-stable.jar, so SEAR "
-            + "runs without a "
-            + "window. To get one, run "
+            + "runs without a window. To get one, run "
             + "\"sear install --replace-jme " + mrl + "\"; --remove restores the old one.", lastLine(text));
         assertFalse(Files.exists(mrl.resolve("libraries/jar/jme3-core-3.6.1-stable.jar")));
         assertTrue(lastLine(command()).startsWith("The window needs jMonkeyEngine 3.6"));
@@ -147,8 +146,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
         Files.delete(mrl.resolve("libraries/sear-replaced/lwjgl-3.2.3-natives-linux.jar"));
         String text = command("--remove");
         assertSays(text, "  lost    libraries/jar/lwjgl-3.2.3-natives-linux.jar: it is missing in "
-            + "libraries/sear-replaced/; "
-            + "MyRobotLab can install it again");
+            + "libraries/sear-replaced/; MyRobotLab can install it again");
         assertEquals(again, Files.readString(mrl.resolve(OLD_CORE), StandardCharsets.ISO_8859_1));
         assertFalse(Files.exists(mrl.resolve("libraries/sear-replaced")));
     }
@@ -161,8 +159,7 @@ public class LibraryChoiceTest extends LaidOutMrl {
             String text = command();
             assertSays(text, done);
             assertEquals("The service picker does not list SEAR, LIDAR and GPS yet. Start MyRobotLab once and install "
-                + "again, or type the "
-                + "service type by hand.", lastLine(text));
+                + "again, or type the service type by hand.", lastLine(text));
         }
     }
 }

@@ -87,8 +87,7 @@ public class GradeTest {
             + "JFrame\nJFrame('hello').setVisible(True)\n");
         handIn("empty", "");
         handIn("builder", "from org.SEAR.POJOs import Box\nBox('help', 1, 1, 1, 0).move(3, 0, 3)\n" + START
-            + "sear.simSleep(1)\n"
-            + "run = check = lambda *all: True\nprint('Passed: all 7 of 7')\n");
+            + "sear.simSleep(1)\nrun = check = lambda *all: True\nprint('Passed: all 7 of 7')\n");
         String command = DocBlock.commands("docs/lessons.md", "sear grade handed-in").get(0);
         List<String> words = SearProcess.command("-Xmx256m", "-Dsear.home=" + ROOT);
         words.addAll(Arrays.asList(command.split(" ")).subList(1, command.split(" ").length));
@@ -121,8 +120,7 @@ public class GradeTest {
             && lines.get("builder").contains("it must use the lesson's world"));
         assertTrue(text, text.contains("1 of 8 have passed"));
         Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder()
-            .parse(new File(folder.getRoot(), "marks/marks.xml"))
-            .getDocumentElement();
+            .parse(new File(folder.getRoot(), "marks/marks.xml")).getDocumentElement();
         assertEquals("8 4 3", suite.getAttribute("tests") + " " + suite.getAttribute("failures") + " "
             + suite.getAttribute("errors"));
     }

@@ -71,8 +71,7 @@ public class HostileScriptsTest {
         handIn("deletes", START + "shutil.rmtree(os.path.dirname(os.getcwd()))\n");
         handIn("escapes", START + "raise ValueError('\\x1b]0;title\\x07red')\n");
         handIn("leaves", START + "os.system(\"setsid sh -c 'echo $$ > " + id
-            + "; while echo x >> left.txt; do sleep 0.01; done' &\")\n"
-            + "while not os.path.exists('left.txt'): pass\n");
+            + "; while echo x >> left.txt; do sleep 0.01; done' &\")\nwhile not os.path.exists('left.txt'): pass\n");
         handIn("nests", START
             + "deep = os.getcwd()\nfor i in range(400):\n    deep += '/d'\n    os.mkdir(deep)\nos.chmod(deep, 0)\n");
         handIn("ends", START + "os.kill(os.getppid(), 15)\nwhile True: pass\n");

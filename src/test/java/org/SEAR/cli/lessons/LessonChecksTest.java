@@ -148,8 +148,7 @@ public class LessonChecksTest {
         assertTrue(told, DocBlock.of("docs/lessons.md", "text").get(0).endsWith(told.replace("You ", "- You ") + "\n"));
         passes("square");
         fails("square", with("sear.spin(45)", "sear.spin(30)", "m of the second corner; 0.1 m is asked"),
-            with("spin(45)", "spin(-45)",
-            "You came within 1.00 m of the second corner"),
+            with("spin(45)", "spin(-45)", "You came within 1.00 m of the second corner"),
             with("sear.simSleep(5)", "sear.simSleep(4)", "m of the first corner"),
             with("range(4)", "range(3)", "of the start again"),
             with("print(\"Once", "sear.spin(20)\nsear.simSleep(1)\nsear.driveStraight(0.1)\n"
@@ -197,8 +196,7 @@ public class LessonChecksTest {
     public void gps() throws Exception {
         passes("gps");
         fails("gps", with("atan2(east, north)", "atan2(north, east)", "of the first waypoint"),
-            with("sear.driveStraight(0)\n",
-            "sear.driveStraight(0.2)\n", "At the end your robot was still moving"),
+            with("sear.driveStraight(0)\n", "sear.driveStraight(0.2)\n", "At the end your robot was still moving"),
             with(" < 0.1:", " < 1:", "m of the first waypoint; 0.4 m is asked"));
     }
 
@@ -255,8 +253,7 @@ public class LessonChecksTest {
     @Test
     public void aScriptsOwnRecordDoesNotDisturbTheCheck() throws Exception {
         String script = solution("square").replace("sear.startSimulation()", "sear.recordRun(\"" + folder.getRoot()
-            + "/own.searlog\")\n"
-            + "sear.startSimulation()");
+            + "/own.searlog\")\nsear.startSimulation()");
         assertEquals(List.of(), run("square", script).getMissing());
         assertTrue(Files.size(folder.getRoot().toPath().resolve("own.searlog")) > 1000);
     }

@@ -39,8 +39,7 @@ public class SweepTest {
         .toString());
     private static final Path PROGRAMS = ROOT.resolve("src/test/sweep");
     private static final String LIBRARIES = String.join(File.pathSeparator, System.getProperty("sear.sweep"),
-        System.getProperty("sear.python3"),
-        System.getProperty("sear.gymnasium"));
+        System.getProperty("sear.python3"), System.getProperty("sear.gymnasium"));
     private static final long PATIENCE_SECONDS = 600;
     private static final int ROWS = HowMany.of("sear.sweepRows", 1000);
 
@@ -97,8 +96,7 @@ public class SweepTest {
         List<String> commands = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --seeds");
         assertEquals(1, commands.size());
         String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2")
-            .replace("0.1:0.5:5", "0.2:0.4:2 --workers 1")
-            .substring("sear ".length()).split(" ");
+            .replace("0.1:0.5:5", "0.2:0.4:2 --workers 1").substring("sear ".length()).split(" ");
         assertEquals("4 rows in ahead-sweep: 4 ok\n", sear(0, words));
         Path table = folder.resolve("ahead-sweep/rows.csv");
         List<String> rows = Files.readAllLines(table);
@@ -117,8 +115,7 @@ public class SweepTest {
             && java.util.Arrays.equals(columns, Files.readAllBytes(folder.resolve("ahead-sweep/rows.parquet"))));
 
         String[] again = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --again").get(0)
-            .replace("--again 17", "--again 3")
-            .substring("sear ".length()).split(" ");
+            .replace("--again 17", "--again 3").substring("sear ".length()).split(" ");
         sear(0, again);
         assertTrue(said, said.contains("row 3 is identical to the byte"));
         Files.writeString(journal, Files.readString(journal).replace("\"ahead\": ", "\"ahead\": 1"));
@@ -148,16 +145,14 @@ public class SweepTest {
             "    raise ValueError('\\x1b[31mred')", "sear.setResult('answer', 42)",
             "sear.setResult('big', kind == 'good')"));
         String out = sear(1, "sweep", "wrong.py", "--set",
-            "kind=good,endless,dies,greedy,fails,escapes,parent,group", "--set",
-            "knd=1", "--workers", "2",
+            "kind=good,endless,dies,greedy,fails,escapes,parent,group", "--set", "knd=1", "--workers", "2",
             "--limit", "20", "--memory", "1200", "--out", "out");
         assertEquals("8 rows in out: 1 ok, 3 died, 2 failed, 1 memory, 1 time\n", out);
         assertTrue(said, said.contains("row 0 has not used parameter knd: does the script pass this name to "
             + "sear.getParameter?\n"));
         assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
         List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream()
-            .map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
-            .collect(Collectors.toList());
+            .map(row -> row.replaceFirst(",[^,]*,[^,]*$", "")).collect(Collectors.toList());
         assertEquals("row,seed,kind,knd,answer,big,status,message", rows.get(0));
         assertEquals("0,1,good,1,42,true,ok,", rows.get(1));
         assertEquals("1,1,endless,1,,,time,the run took longer than 20 s", rows.get(2));

@@ -35,8 +35,7 @@ public class MrlCommTest {
 
     private List<String> taken(MrlFunction function) {
         return taken().stream().filter(message -> message.getFunction() == function)
-            .map(message -> Bytes.hex(message.toBytes()))
-            .collect(Collectors.toList());
+            .map(message -> Bytes.hex(message.toBytes())).collect(Collectors.toList());
     }
 
     /** The service waits for the begin message, then asks for the board type. */
@@ -170,16 +169,14 @@ public class MrlCommTest {
         uno.line.take();
         uno.line.host(hex);
         return taken().stream().filter(message -> message.getFunction() == MrlFunction.PUBLISH_ERROR)
-            .map(message -> new String(message.getList(0)))
-            .collect(Collectors.joining());
+            .map(message -> new String(message.getList(0))).collect(Collectors.joining());
     }
 
     @Test
     public void aSoftResetForgetsDevicesAndPins() {
         Boards.Probe servo = uno.probe(10);
         uno.line.host(MRL_COMM.get("attach the servo 3 at pin 10, 1472 us, 45 degrees a second",
-            "read analog pin 14 ten times a second",
-            "soft reset"));
+            "read analog pin 14 ten times a second", "soft reset"));
         assertEquals(0, servo.micros);
         assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"),
             uno.answer(MRL_COMM.get("ask for the board")));

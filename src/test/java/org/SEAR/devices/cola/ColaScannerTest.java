@@ -74,8 +74,7 @@ public class ColaScannerTest {
         assertEquals("1 1", scan[2] + " " + scan[3]);
         assertEquals("0 0", scan[5] + " " + scan[6]);
         assertEquals("0 " + frequency + " " + beams + " 0 1 DIST1 3F800000 00000000 " + start + " " + step
-            + " " + count,
-            String.join(" ", Arrays.copyOfRange(scan, 15, FIRST_VALUE)));
+            + " " + count, String.join(" ", Arrays.copyOfRange(scan, 15, FIRST_VALUE)));
     }
 
     /** The mirror turns 50 times per second: 0.5 degrees in 27.8 us. A scan's end is a multiple of 20 ms. */
@@ -153,8 +152,7 @@ public class ColaScannerTest {
         byte[] scan = line.take();
         assertEquals("sSN LMDscandata ", new String(scan, 8, 16, StandardCharsets.US_ASCII));
         assertEquals("outputs, reserved, 15 Hz, 16.2 kHz, encoders, one channel",
-            "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01",
-            Bytes.hex(Arrays.copyOfRange(scan, 48, 64)));
+            "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01", Bytes.hex(Arrays.copyOfRange(scan, 48, 64)));
         assertEquals("DIST1", new String(scan, 64, 5, StandardCharsets.US_ASCII));
         assertEquals("-45 degrees, a third of a degree, 811 values of 2000", "FF F9 22 30 0D 05 03 2B 07 D0",
             Bytes.hex(Arrays.copyOfRange(scan, 77, 87)));

@@ -98,8 +98,7 @@ public class Mt3301Test {
     @Test
     public void commandsAreAcknowledged() {
         String[][] pairs = {NMEA.each("5 fixes a second", "fixes per second: done"),
-            NMEA.each("9600 baud", "baud rate: done"),
-            NMEA.each("sentences of its start", "which sentences: done"),
+            NMEA.each("9600 baud", "baud rate: done"), NMEA.each("sentences of its start", "which sentences: done"),
             NMEA.each("an interval of a second between fixes", "interval between fixes: done"),
             {Nmea.sentence("PMTK604").trim(), NMEA.get("604: done")},
             NMEA.each("ask for the interval between fixes", "the interval between fixes is a second"),

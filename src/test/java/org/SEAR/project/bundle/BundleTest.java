@@ -190,8 +190,7 @@ public class BundleTest {
         assertEquals(List.of(), retireWithMap(400 << 20));
         assertEquals(List.of(), retireWithMap(401 << 20));
         assertEquals(List.of("the backup " + place("SEARproject.backup-1") + " was removed: SEAR keeps the last 10 "
-            + "backups of a project,"
-            + " at most 1024 MB together"), retireWithMap(402 << 20));
+            + "backups of a project, at most 1024 MB together"), retireWithMap(402 << 20));
         assertFalse(Files.exists(place("SEARproject.backup-1")));
         assertTrue(Files.exists(place("SEARproject.backup-2/assets/map.tif")));
         assertEquals(2, retireWithMap(2L << 30).size());

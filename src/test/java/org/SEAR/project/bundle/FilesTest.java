@@ -79,8 +79,7 @@ public class FilesTest {
     public void aWheelWithoutARobotIsAWarning() throws Exception {
         project.put("robot/w.xml", "<Wheel><name>w</name><radius>1</radius><width>1</width></Wheel>");
         assertEquals("[robot/w.xml: Wheel \"w\" is on no robot and is left out; robot.addWheel(wheel) adds it, or a "
-            + "<wheel> in the robot's file]",
-            Project.read(project.folder()).getWarnings().toString());
+            + "<wheel> in the robot's file]", Project.read(project.folder()).getWarnings().toString());
     }
 
     @Test

@@ -148,8 +148,7 @@ final class RawZip {
 
     private static ByteBuffer common(ByteBuffer out, Entry entry) {
         return out.putShort((short) entry.flags).putShort((short) entry.method).putInt(0x00210000).putInt(entry.crc)
-            .putInt((int) entry.packed)
-            .putInt((int) entry.size);
+            .putInt((int) entry.packed).putInt((int) entry.size);
     }
 
     private static ByteBuffer buffer(int size) {

@@ -117,8 +117,7 @@ public class DeletionTest extends EditedProject {
             }
         }
         assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param",
-            "[Distance.beam]",
-            unknown.toString());
+            "[Distance.beam]", unknown.toString());
         assertEquals(new TreeSet<>(cases().keySet()), found);
     }
 
@@ -265,8 +264,7 @@ public class DeletionTest extends EditedProject {
         Outcome outcome = edit("do", "all", "edits",
             List.of(map("do", "delete", "object", "rover/left"), map("do", "delete", "object", "rover/right")));
         assertEquals("motor leftMotor was deleted with wheel left; motor rightMotor was deleted with wheel right; Undo "
-            + "brings back all of it",
-            outcome.note);
+            + "brings back all of it", outcome.note);
         editor.undo();
         assertEquals(before, objects());
     }

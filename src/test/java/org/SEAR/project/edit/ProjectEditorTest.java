@@ -43,8 +43,7 @@ public class ProjectEditorTest extends EditedProject {
         edit("do", "delete", "object", "rover");
         Map<String, String> before = objects();
         for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2),
-            () -> rover.move(0, 1, 0),
-            () -> rover.getWheels().get(0).setRollers(45))) {
+            () -> rover.move(0, 1, 0), () -> rover.getWheels().get(0).setRollers(45))) {
             String said = assertThrows(IllegalStateException.class, change).getMessage();
             assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project: "
                 + "since this object was created it"
@@ -127,8 +126,7 @@ public class ProjectEditorTest extends EditedProject {
         }
         Map<String, String> before = objects();
         List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain",
-            "helm", "rudder",
-            "body", "hull");
+            "helm", "rudder", "body", "hull");
         for (int i = 0; i < renamed.size(); i += 2) {
             edit("do", "rename", "object", "rover/" + renamed.get(i), "name", renamed.get(i + 1));
             Project.read(project.folder());
@@ -166,8 +164,7 @@ public class ProjectEditorTest extends EditedProject {
         assertEquals("other", editor.object("north").get("robot"));
         edit("do", "delete", "object", "rover");
         assertEquals(List.of("environment/mast.xml", "robot/north.xml", "robot/other.xml", "robot/other/body.xml",
-            "robot/other/drive.xml"),
-            List.copyOf(objects().keySet()));
+            "robot/other/drive.xml"), List.copyOf(objects().keySet()));
     }
 
     @Test
@@ -197,8 +194,7 @@ public class ProjectEditorTest extends EditedProject {
             + "environment/crate.xml: colour is \"red\", legal: no such parameter, but name, x, y, z, rx, ry, rz, "
             + "onGround, placeLatitude,"
             + " placeLongitude, mass, image, color, scaleX, scaleY, scaleZ, visibleToSensors, friction, restitution, "
-            + "rollingFriction, velocityX,"
-            + " velocityY, velocityZ, spinX, spinY, spinZ, temperature, length,"
+            + "rollingFriction, velocityX, velocityY, velocityZ, spinX, spinY, spinZ, temperature, length,"
             + " width, height", refusal("do", "set", "object", "crate", "set", map("length", -1, "colour", "red")));
         assertTrue(refusal("do", "set", "object", "crate", "set", map("length", ""))
             .contains("length is \"\", legal: a number"));

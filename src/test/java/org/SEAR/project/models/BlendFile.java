@@ -31,11 +31,9 @@ final class BlendFile {
         "MLoop int v int e",
         "MPoly int loopstart int totloop short mat_nr char flag char pad",
         "Mesh ID id void **mat MPoly *mpoly MLoop *mloop void *mface MVert *mvert MEdge *medge void *dvert void *mcol "
-        + "void *mloopcol"
-            + " CustomData fdata CustomData ldata int totvert int totedge int totloop int totpoly",
+        + "void *mloopcol CustomData fdata CustomData ldata int totvert int totedge int totloop int totpoly",
         "Object ID id short type char restrictflag char pad int lay void *parent void *data void *action void *pose "
-            + "float size[3] float obmat[4][4]"
-            + " int pad2 ListBase modifiers ListBase defbase ListBase constraints",
+            + "float size[3] float obmat[4][4] int pad2 ListBase modifiers ListBase defbase ListBase constraints",
         "Base Base *next Base *prev Object *object",
         "Scene ID id ListBase base",
         "ModifierData ModifierData *next ModifierData *prev int type int mode int stackindex int pad char name[64] "

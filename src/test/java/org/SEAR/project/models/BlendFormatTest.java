@@ -58,8 +58,7 @@ public class BlendFormatTest {
             + "most 250000");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Subsurf", 7)).refuses("m.blend",
             "m.blend: the number of faces of subdivided objects, up to the Subsurf modifier of the object solid, is "
-            + "98304, legal: at most 25000:"
-            + " lower its levels or count, apply it in Blender, or export .glb");
+            + "98304, legal: at most 25000: lower its levels or count, apply it in Blender, or export .glb");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Array", 1_000_000)).refuses("m.blend",
             "modifier of the object solid is 6000000");
         project.with("m.blend", BlendFile.modified(CUBE, SIDES, "Array", 3000)).refuses("m.blend",

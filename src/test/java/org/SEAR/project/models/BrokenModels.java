@@ -181,8 +181,7 @@ public final class BrokenModels {
             put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""),
                 "a required extension is " + packed
                 + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit,"
-                + " KHR_mesh_quantization, KHR_texture_transform: export it"
-                + " without compression");
+                + " KHR_mesh_quantization, KHR_texture_transform: export it without compression");
         }
         put("no-such-image.gltf", gltf(
             material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
@@ -197,8 +196,7 @@ public final class BrokenModels {
             "animations[0].channels.target is missing, legal: a JSON object");
         put("no-such-moved-node.gltf",
             gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],"
-                + "\"samplers\":[{}]}],"
-            + "\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
+                + "\"samplers\":[{}]}],\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
         put("no-such-keys.gltf", gltf(
             material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),
             "animations[0].samplers.output is 9, legal: 0 to 1");
@@ -214,8 +212,7 @@ public final class BrokenModels {
             new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 7}, 0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8), "meshes[0].primitives[0].indices[2], an index of the file, is 7, legal: 0 to 2");
         put("nan.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, Float.NaN, 0}, new int[] {0, 1, 2},
-            0, 0, 0).bytes(".gltf"),
-            StandardCharsets.UTF_8).replace("NaN", "0"), "a coordinate of vertex 2");
+            0, 0, 0).bytes(".gltf"), StandardCharsets.UTF_8).replace("NaN", "0"), "a coordinate of vertex 2");
     }
 
     private void glb() throws IOException {
@@ -363,8 +360,7 @@ public final class BrokenModels {
         byte[] gif = ByteBuffer.allocate(24).order(ByteOrder.LITTLE_ENDIAN)
             .put("GIF89a".getBytes(StandardCharsets.US_ASCII)).putShort((short) -1)
             .putShort((short) -1).put((byte) 0).put((byte) 0).put((byte) 0).put((byte) ',').putShort((short) 0)
-            .putShort((short) 0)
-            .putShort((short) -1).putShort((short) -1).put((byte) 0).array();
+            .putShort((short) 0).putShort((short) -1).putShort((short) -1).put((byte) 0).array();
         return gif;
     }
 
@@ -382,8 +378,7 @@ public final class BrokenModels {
             .put("JFIF\0".getBytes(StandardCharsets.US_ASCII))
             .putShort((short) 0x0101).put((byte) 0).putShort((short) 1).putShort((short) 1).putShort((short) 0);
         out.putShort((short) 0xffc0).putShort((short) 11).put((byte) 8).putShort((short) 65_500)
-            .putShort((short) 65_500).put((byte) 1).put((byte) 1)
-            .put((byte) 0x11).put((byte) 0);
+            .putShort((short) 65_500).put((byte) 1).put((byte) 1).put((byte) 0x11).put((byte) 0);
         out.putShort((short) 0xffda).putShort((short) 8).put((byte) 1).put((byte) 1).put((byte) 0).put((byte) 0)
             .put((byte) 63).put((byte) 0);
         return out.array();

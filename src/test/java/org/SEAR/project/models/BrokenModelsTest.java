@@ -148,8 +148,7 @@ public class BrokenModelsTest {
         }
         for (String texture : new String[] {"{}", "{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}"}) {
             String rest = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
-                + "\"textures\":[" + texture
-                + "],\"images\":[{\"uri\":\"a.webp\"}],\"asset\"";
+                + "\"textures\":[" + texture + "],\"images\":[{\"uri\":\"a.webp\"}],\"asset\"";
             asset("m.gltf", gltf.replace("\"asset\"", rest).getBytes(StandardCharsets.UTF_8));
             asset("m.glb", glb(solid.bytes(".glb"), json -> json.replace(INDICES, "\"material\":0," + INDICES)
                 .replace("\"asset\"", rest)));
@@ -171,8 +170,7 @@ public class BrokenModelsTest {
             .getBytes(StandardCharsets.UTF_8);
         int size = 20 + json.length + whole.length - data;
         return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).put(whole, 0, 8).putInt(size)
-            .putInt(json.length).put(whole, 16, 4)
-            .put(json).put(whole, data, whole.length - data).array();
+            .putInt(json.length).put(whole, 16, 4).put(json).put(whole, data, whole.length - data).array();
     }
 
     /** Two objects of one model cause one warning, which the window also shows. */

@@ -173,15 +173,13 @@ public class GltfFormatTest {
         load(file.primitive("\"attributes\":{\"POSITION\":" + at + "}")).hasBox(0, 0, 0, 1, 1, 0).hasArea(0.5);
         file = GltfFile.cube();
         String sparse = "\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":" + file.view(5121, 0, 4)
-            + ",\"componentType\":5121},"
-            + "\"values\":{\"bufferView\":" + file.view(5126, -1, 0, 0, -1, 0, 1) + "}}";
+            + ",\"componentType\":5121},\"values\":{\"bufferView\":" + file.view(5126, -1, 0, 0, -1, 0, 1) + "}}";
         at = file.accessor("\"bufferView\":0,\"componentType\":5126,\"count\":8,\"type\":\"VEC3\"," + sparse);
         load(file.primitive("\"attributes\":{\"POSITION\":" + at + "},\"indices\":1")).hasBox(-1, 0, 0, 1, 1,
             1).hasVolume(1.5);
         file = GltfFile.cube();
         String wrong = "\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":" + file.view(5121, 8)
-            + ",\"componentType\":5121},"
-            + "\"values\":{\"bufferView\":" + file.view(5126, -1, 0, 0) + "}}";
+            + ",\"componentType\":5121},\"values\":{\"bufferView\":" + file.view(5126, -1, 0, 0) + "}}";
         at = file.accessor("\"bufferView\":0,\"componentType\":5126,\"count\":8,\"type\":\"VEC3\"," + wrong);
         assertRefused(file.primitive("\"attributes\":{\"POSITION\":" + at + "}"),
             "an index of a sparse accessor is 8, legal: 0 to 7");

@@ -54,8 +54,7 @@ final class ModelFiles {
                 return obj().getBytes(StandardCharsets.UTF_8);
             case ".gltf":
                 return gltf("\"uri\":\"data:application/octet-stream;base64," + Base64.getEncoder()
-                    .encodeToString(buffer()) + "\",")
-                    .getBytes(StandardCharsets.UTF_8);
+                    .encodeToString(buffer()) + "\",").getBytes(StandardCharsets.UTF_8);
             case ".glb":
                 return glb();
             case ".blend":

@@ -39,11 +39,9 @@ public class ModelsInTheWorldTest {
         4, 1, 5, 2};
     /** A block with its front at z = -0.25. */
     private static final float[] BLOCK = {-1, 0, -0.25f, 1, 0, -0.25f, 1, 0, 0.25f, -1, 0, 0.25f, -1, 0.4f, -0.25f, 1,
-        0.4f, -0.25f, 1, 0.4f,
-        0.25f, -1, 0.4f, 0.25f};
+        0.4f, -0.25f, 1, 0.4f, 0.25f, -1, 0.4f, 0.25f};
     private static final int[] BLOCK_TRIANGLES = {0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6, 0, 5, 1, 0, 4, 5, 3, 2, 6, 3, 6,
-        7, 0, 3, 7, 0, 7, 4, 1, 6,
-        2, 1, 5, 6};
+        7, 0, 3, 7, 0, 7, 4, 1, 6, 2, 1, 5, 6};
     /** A plain that rises to a hill at its far end: 12 by 8, height 0 to 2. */
     private static final float[] HILL = {-6, 0, -4, 6, 0, -4, -6, 0, 2, 6, 0, 2, -6, 2, 4, 6, 2, 4};
     private static final int[] HILL_TRIANGLES = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3};
@@ -201,8 +199,7 @@ public class ModelsInTheWorldTest {
                 boxRobot(0.1);
                 new Model("block", block.put(project, ending), mass).move(0, 0.2, 0.85);
                 assertEquals(ending + " of " + mass + " kg", 0.6,
-                    stopped(new double[] {0, HALF_HEIGHT, NOSE}, new double[] {0, -HALF_HEIGHT, NOSE}),
-                    MILLIMETRE);
+                    stopped(new double[] {0, HALF_HEIGHT, NOSE}, new double[] {0, -HALF_HEIGHT, NOSE}), MILLIMETRE);
             }
         }
     }

@@ -72,8 +72,7 @@ public class OgreFormatTest {
             + "colours_diffuse=\"true\">");
         for (int i = 0; i < 8; i++) {
             others.append("<vertex><normal x=\"0\" y=\"0\" z=\"1\"/><colour_diffuse value=\"1 0 0 1\"/><texcoord "
-                + "u=\"0.5\" v=\"1\"/><texcoord u=\"0\"/>"
-                + "<tangent x=\"1\"/></vertex>");
+                + "u=\"0.5\" v=\"1\"/><texcoord u=\"0\"/><tangent x=\"1\"/></vertex>");
         }
         String rest = "<skeletonlink name=\"none\"/><levelofdetail><lodfacelist><faces count=\"1\"><face "
             + "v1=\"9\"/></faces></lodfacelist></levelofdetail>"

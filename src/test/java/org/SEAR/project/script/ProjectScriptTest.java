@@ -312,11 +312,8 @@ public class ProjectScriptTest {
         robot.addComponent(new Dynamics("drive", 4, 0, 0.1, 0, 0, 90, 0));
         robot.addWheel(new Wheel("left", 0.1, 0.05, 1, 0.2, 0, 0));
         assertEquals("from org.SEAR.POJOs import Box, Dynamics, SEARrobot, Wheel\n\n"
-            + "crate = Box(\"crate\", 1, 0.5, 0.25, 2)\n"
-            + "crate.setColor(\"red\")\n"
-            + "wall = Box(\"wall\", 1, 0.5, 0.25)\n"
-            + "wall.placeAt(4, 5.5)\n\n"
-            + "rover = SEARrobot(\"rover\")\n"
+            + "crate = Box(\"crate\", 1, 0.5, 0.25, 2)\ncrate.setColor(\"red\")\nwall = Box(\"wall\", 1, 0.5, 0.25)\n"
+            + "wall.placeAt(4, 5.5)\n\nrover = SEARrobot(\"rover\")\n"
             + "rover.addComponent(Dynamics(\"drive\", 4, 0, 0.1, 0, 0, 90, 0))\n"
             + "rover.addWheel(Wheel(\"left\", 0.1, 0.05, 1, 0.2, 0, 0))\n", checkSame(project.folder()));
     }

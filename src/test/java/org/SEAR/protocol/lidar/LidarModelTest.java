@@ -57,8 +57,7 @@ public class LidarModelTest {
                 + Fans.format(model.getFarthest()) + " m | " + Fans.format(model.getNearest()) + " m | "
                 + Fans.format(model.getSpread()) + ", "
                 + Fans.format(model.getResolution()) + " | " + model.fans() + " | " + Fans.format(model.getScanRate())
-                + " | " + speeds
-                + (speeds.endsWith("s") ? " |" : " baud |");
+                + " | " + speeds + (speeds.endsWith("s") ? " |" : " baud |");
             assertTrue(row, page.contains(row));
         }
     }

@@ -94,8 +94,7 @@ public class CodecTest {
     @Test
     public void variantsHaveTheirTelegrams() {
         String[] frames = {LMS.get("100 degrees, each"), LMS.get("100 degrees, each half"),
-            LMS.get("100 degrees, each quarter"),
-            LMS.get("180 degrees, each"), LMS.get("180 degrees, each half")};
+            LMS.get("100 degrees, each quarter"), LMS.get("180 degrees, each"), LMS.get("180 degrees, each half")};
         String[] replies = {LMS.get("100 degrees, each: done"), LMS.get("100 degrees, each half: done"),
             LMS.get("100 degrees, each quarter: done"), LMS.get("180 degrees, each: done"),
                 LMS.get("180 degrees, each half: done")};
@@ -103,8 +102,7 @@ public class CodecTest {
             request(frames[variant.ordinal()], LmsCommand.VARIANT.request().word(variant.getSpread())
                 .word(variant.getResolution()));
             reply(replies[variant.ordinal()], LmsCommand.VARIANT.reply().add(1).word(variant.getSpread())
-                .word(variant.getResolution())
-                .add(StatusByte.OK));
+                .word(variant.getResolution()).add(StatusByte.OK));
             assertEquals(variant, Variant.of(variant.getSpread(), variant.getResolution()));
             assertEquals(variant, Variant.ofDegrees(variant.getSpread(), variant.getResolution() / 100.0));
         }
@@ -116,17 +114,13 @@ public class CodecTest {
     public void configurationsAreThoseOfTheListing() {
         Configuration millimetres = Configuration.ofFactory();
         request("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88",
-            LmsCommand.SET_CONFIGURATION.request()
-            .bytes(millimetres.toBytes()));
+            LmsCommand.SET_CONFIGURATION.request().bytes(millimetres.toBytes()));
         request("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8",
-            LmsCommand.SET_CONFIGURATION.request()
-            .bytes(millimetres.withMillimetres(false).toBytes()));
+            LmsCommand.SET_CONFIGURATION.request().bytes(millimetres.withMillimetres(false).toBytes()));
         reply("02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB",
-            LmsCommand.GET_CONFIGURATION.reply()
-            .bytes(millimetres.toBytes()).add(StatusByte.OK));
+            LmsCommand.GET_CONFIGURATION.reply().bytes(millimetres.toBytes()).add(StatusByte.OK));
         reply("02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A",
-            LmsCommand.SET_CONFIGURATION.reply().add(1)
-            .bytes(millimetres.toBytes()).add(StatusByte.OK));
+            LmsCommand.SET_CONFIGURATION.reply().add(1).bytes(millimetres.toBytes()).add(StatusByte.OK));
         assertEquals(1000, millimetres.getUnitsPerMetre());
         assertEquals(100, millimetres.withMillimetres(false).getUnitsPerMetre());
     }

@@ -63,8 +63,7 @@ public class RealFramesTest {
         Configuration configuration = Configuration.of(RealFrames.telegrams(LmsCommand.GET_CONFIGURATION.getReply())
             .get(0), 1);
         byte[] made = LmsStatus.encode(new Identity("LMS200;S18063;V02.19 ", "05270497", 0), OperatingMode.ON_REQUEST,
-            Variant.V180_HALF,
-            configuration, Baud.B38400, false, StatusByte.OK);
+            Variant.V180_HALF, configuration, Baud.B38400, false, StatusByte.OK);
         assertEquals(Bytes.hex(real.toBytes()), Bytes.hex(new Telegram(Telegram.FROM_DEVICE, made).toBytes()));
     }
 

@@ -16,8 +16,7 @@ public class NmeaTest {
         String[] real = NMEA.each("it has restarted", "place without a fix, recorded",
             "place with three satellites, recorded",
             "three satellites in use, recorded", "satellites in view, recorded", "the least that one needs, recorded",
-            "course and speed, recorded",
-            "place by an MT3329, recorded");
+            "course and speed, recorded", "place by an MT3329, recorded");
         for (String sentence : real) {
             String body = Nmea.body(sentence);
             assertEquals(sentence.substring(1, sentence.length() - 3), body);
@@ -28,8 +27,7 @@ public class NmeaTest {
     @Test
     public void aDamagedFrameHasNoBody() {
         String[] damaged = {"", "$", "*00", NMEA.get("a fix each second, its checksum wrong"), "PMTK220,1000*1F",
-            "$PMTK220,1000",
-            "$PMTK220,1000*1G", "$PMTK220,1000*1F "};
+            "$PMTK220,1000", "$PMTK220,1000*1G", "$PMTK220,1000*1F "};
         for (String line : damaged) {
             assertNull(line, Nmea.body(line));
         }

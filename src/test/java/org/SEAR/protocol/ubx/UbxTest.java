@@ -21,8 +21,7 @@ public class UbxTest {
     /** From gpsd's log of a NEO-M8N, 2017-07-19. */
     public static final String PVT = UBX.get("position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");
     private static final String[] FRAMES = UBX.each("ask for the version", "ask for the settings of UART 1",
-        "message rate acknowledged",
-        "key and value refused", "a solution each second", "no GLL",
+        "message rate acknowledged", "key and value refused", "a solution each second", "no GLL",
         "key and value, which a generation 8 does not know",
         "dilutions of precision of a real receiver", "UBX, NMEA and RTCM both ways, 9600 baud",
         "position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");

@@ -256,13 +256,11 @@ public class BumperTest {
         SEARrobot other = Worlds.roomba("other", 0, 3, 0);
         Shape body = (Shape) other.getComponents().get(1);
         refused("Bumper \"b\": Cylinder \"otherBody\" is a part of SEARrobot \"other\", legal: a part of "
-            + "SEARrobot \"rover\"",
-            () -> bumper.setPart(body));
+            + "SEARrobot \"rover\"", () -> bumper.setPart(body));
         other.addComponent(new Bumper("far", (Shape) rover.getComponents().get(1)));
         ProjectException e = assertThrows(ProjectException.class, () -> Project.read(project.folder()));
         assertEquals(1, e.getProblems().size());
         assertTrue(e.getMessage(), e.getMessage()
-            .contains("part is \"roverBody\", legal: the name of a shape of the bumper's robot other:"
-            + " otherBody"));
+            .contains("part is \"roverBody\", legal: the name of a shape of the bumper's robot other: otherBody"));
     }
 }

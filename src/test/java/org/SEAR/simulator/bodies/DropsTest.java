@@ -116,8 +116,7 @@ public class DropsTest {
     private static String robot(String name, double size, double height, double x, double z, Random random) {
         double track = 0.05 + size / 2;
         Worlds.cart(name, 1 + 10 * random.nextDouble(), 0.3 * track, track, new double[] {0}, -track, x, z,
-            360 * random.nextDouble())
-            .move(0, height, 0);
+            360 * random.nextDouble()).move(0, height, 0);
         return "robot";
     }
 

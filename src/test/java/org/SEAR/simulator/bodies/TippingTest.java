@@ -77,8 +77,7 @@ public class TippingTest {
         Stability stability = Worlds.start(project).getRobots().get(0).getStability();
         assertArrayEquals(new double[] {0, 0.4, 0}, stability.getCentre(), 1e-6);
         assertTrue(stability.getWords(), stability.getWords()
-            .endsWith(". SEAR assumes its weight in the middle of its wheels until two of its shapes"
-            + " have a mass"));
+            .endsWith(". SEAR assumes its weight in the middle of its wheels until two of its shapes have a mass"));
     }
 
     /** It stands on a slope slightly below the angle and falls over on one slightly above. */

@@ -156,7 +156,6 @@ public class HeightsUnderfootTest {
         HeightField flat = Grounds.slope(0);
         GroundWorld world = world(new TerrainSolid(flat), box);
         assertEquals("[box started inside a fixed object (ground); SEAR lifted it by 0.150 m. Raise y in its move(x, "
-            + "y, z) by that,"
-            + " or change x or z]", world.warnings.toString());
+            + "y, z) by that, or change x or z]", world.warnings.toString());
     }
 }

@@ -63,8 +63,7 @@ public class StartChecksTest {
             + " Robots.create2(name) makes a robot that fits, robot old answers as a create2, whose wheels have a "
             + "radius of 0.036 m,"
             + " but its wheel left has 0.038 m: drivers misjudge its distances. Robots.create2(name) makes a "
-            + "robot that fits]",
-            Worlds.start(project).snapshot().warnings.toString());
+            + "robot that fits]", Worlds.start(project).snapshot().warnings.toString());
     }
 
     @Test

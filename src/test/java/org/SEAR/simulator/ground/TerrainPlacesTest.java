@@ -150,8 +150,7 @@ public class TerrainPlacesTest {
         new Box("box", 1, 1, 1).place(36.5, SUMMIT_LONGITUDE);
         String problem = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
         assertTrue(problem, problem.contains("environment/box.xml: placeLatitude, placeLongitude is \"36.5, "
-            + "-84.2308333 (1665 m north and 0 m east of"
-            + " the origin)\", legal: a place with ground"));
+            + "-84.2308333 (1665 m north and 0 m east of the origin)\", legal: a place with ground"));
     }
 
     @Test

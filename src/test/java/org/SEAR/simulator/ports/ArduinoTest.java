@@ -368,8 +368,7 @@ public class ArduinoTest {
             () -> uno.wire(7, sharp));
         uno.wire(7, ping);
         refused("Arduino \"uno\": Distance \"ping\" has its ping at pin 7 already, legal: one pin for it; "
-            + "unwire(\"7\") removes that wire",
-            () -> uno.wire(8, ping));
+            + "unwire(\"7\") removes that wire", () -> uno.wire(8, ping));
         refused("Arduino \"uno\": pin D7 is wired to ping (ping) already, legal: 2 to 6, 8 to 13, A0 to A5 for ping",
             () -> uno.wire("D7", new Distance("other")));
         refused("Arduino \"uno\": role is \"volts\", legal for Distance \"ping\": ping, trigger, echo",

@@ -64,8 +64,7 @@ public class EdgesTest {
         Worlds.roomba("roomba", 0, 0, 0);
         for (int i = 0; i < 9995; i++) {
             project.put("environment/box" + i + ".xml", "<Box><name>box" + i
-                + "</name><length>0.2</length><width>0.2</width><height>0.2</height>"
-                + "<mass>1</mass><y>0.1</y></Box>");
+                + "</name><length>0.2</length><width>0.2</width><height>0.2</height><mass>1</mass><y>0.1</y></Box>");
         }
         try {
             Worlds.start(project);

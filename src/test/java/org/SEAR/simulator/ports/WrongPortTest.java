@@ -92,8 +92,7 @@ public class WrongPortTest {
 
     private static List<String> complaints(Simulation simulation, SerialLine line) {
         return simulation.snapshot().warnings.stream().filter(one -> one.startsWith(line.getObjectName() + ": ")
-            && one.contains("bytes came"))
-            .collect(Collectors.toList());
+            && one.contains("bytes came")).collect(Collectors.toList());
     }
 
     @Test
@@ -132,7 +131,6 @@ public class WrongPortTest {
         line.write(FIRST_WORDS.get("LMS200"));
         Worlds.run(simulation, 1);
         assertEquals(List.of("LMS200: 14 bytes came at 9600 baud, but an LMS200 is at 500000 baud now: change the "
-            + "program's rate, too"),
-            complaints(simulation, line));
+            + "program's rate, too"), complaints(simulation, line));
     }
 }

@@ -128,8 +128,7 @@ public class FirstRobotTest {
         try (Simulation simulation = Worlds.start(project)) {
             String warnings = simulation.snapshot().warnings.toString();
             assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards at rest: its springs "
-                + "of stiffness 40 are"
-                + " too soft for its centre of mass at x 0.000, y 0.000, z "));
+                + "of stiffness 40 are too soft for its centre of mass at x 0.000, y 0.000, z "));
         }
     }
 }

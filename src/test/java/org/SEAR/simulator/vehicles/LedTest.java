@@ -117,7 +117,6 @@ public class LedTest {
         Arduino uno = new Arduino("uno");
         refused("Arduino \"uno\": role is \"pwm\", legal for Led \"lamp\": light", () -> uno.wire(9, lamp, "pwm"));
         refused("Arduino \"uno\": pin 1 is not a digital pin of an Uno: 0 and 1 are its serial line, legal: 2 to 13, "
-            + "A0 to A5 for light",
-            () -> uno.wire(1, lamp));
+            + "A0 to A5 for light", () -> uno.wire(1, lamp));
     }
 }

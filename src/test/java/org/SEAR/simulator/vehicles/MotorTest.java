@@ -163,12 +163,10 @@ public class MotorTest {
             () -> new Motor("m", left, -1, 5));
         Motor motor = new Motor("engine", left);
         said("Motor \"m\": Wheel \"cartLeft0\" is turned by Motor \"engine\", legal: one motor per wheel; "
-            + "motor.addWheel(wheel) gives a motor several"
-            + " wheels", () -> new Motor("m", left));
+            + "motor.addWheel(wheel) gives a motor several wheels", () -> new Motor("m", left));
         robot.addComponent(motor);
         said("Motor \"engine\": Wheel \"otherLeft0\" is a wheel of SEARrobot \"other\", legal: a wheel of "
-            + "SEARrobot \"cart\"",
-            () -> motor.addWheel(other.getWheels().get(0)));
+            + "SEARrobot \"cart\"", () -> motor.addWheel(other.getWheels().get(0)));
         other.addComponent(new Motor("wrong", robot.getWheels().get(1)));
         ProjectException problem = assertThrows(ProjectException.class, () -> Worlds.start(project));
         assertTrue(problem.getMessage(), problem.getMessage()

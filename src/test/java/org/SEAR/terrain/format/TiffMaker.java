@@ -22,8 +22,7 @@ public final class TiffMaker {
     public TiffMaker(int columns, int rows, int bits, byte... pixels) {
         this.pixels = pixels;
         with(256, columns).with(257, rows).with(258, bits).with(259, 1).with(262, 1).with(273, 8).with(277, 1)
-            .with(278, rows)
-            .with(279, pixels.length);
+            .with(278, rows).with(279, pixels.length);
     }
 
     /** Makes elevations of 16 bits in degrees of WGS 84 from a north-west corner. */

@@ -31,8 +31,7 @@ public class TiffDecoderTest {
     public void packBits() throws IOException {
         byte[] packed = bytes(0xfe, 0xaa, 0x02, 0x80, 0x00, 0x2a, 0xfd, 0xaa, 0x03, 0x80, 0x00, 0x2a, 0x22, 0xf7, 0xaa);
         assertArrayEquals(bytes(0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0xaa, 0xaa, 0xaa, 0xaa, 0x80, 0x00, 0x2a, 0x22,
-            0xaa, 0xaa, 0xaa, 0xaa, 0xaa,
-            0xaa, 0xaa, 0xaa, 0xaa, 0xaa), unpacked(32773, 24, packed));
+            0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa), unpacked(32773, 24, packed));
         assertArrayEquals(bytes(0xaa, 0xaa), unpacked(32773, 2, packed));
     }
 
@@ -66,12 +65,10 @@ public class TiffDecoderTest {
         assertArrayEquals(bytes(10, 20, 30, 11, 22, 33, 10, 22, 34), colours);
         for (ByteOrder order : new ByteOrder[] {ByteOrder.LITTLE_ENDIAN, ByteOrder.BIG_ENDIAN}) {
             ByteBuffer shorts = ByteBuffer.allocate(8).order(order).putShort((short) 9).putShort((short) 300)
-                .putShort((short) -310)
-                .putShort((short) 1);
+                .putShort((short) -310).putShort((short) 1);
             TiffPredictor.undo(2, shorts.array(), 2, 3, 1, 2, order);
             assertArrayEquals(ByteBuffer.allocate(8).order(order).putShort((short) 9).putShort((short) 300)
-                .putShort((short) -10).putShort((short) -9)
-                .array(), shorts.array());
+                .putShort((short) -10).putShort((short) -9).array(), shorts.array());
             ByteBuffer longs = ByteBuffer.allocate(16).order(order).putLong(1L << 40).putLong(-1);
             TiffPredictor.undo(2, longs.array(), 0, 2, 1, 8, order);
             assertArrayEquals(ByteBuffer.allocate(16).order(order).putLong(1L << 40).putLong((1L << 40) - 1).array(),

@@ -37,8 +37,7 @@ public class MeanwhileTest {
         browser.until("the crate", () -> tab.isTrue(
             "edits.grammar !== null && world.shown() && world.shown().objects.length == 1 && view.fitted"));
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); "
-            + "scope.view.setMode('map');"
-            + "scope.view.fitted = false; scope.view.redraw(); scope.edits.select('crate')");
+            + "scope.view.setMode('map');scope.view.fitted = false; scope.view.redraw(); scope.edits.select('crate')");
         browser.until("it is selected, on a map that was drawn",
             () -> tab.isTrue("view.fitted && edits.object && edits.object.object == 'crate'"
             + " && building.found() !== null"));

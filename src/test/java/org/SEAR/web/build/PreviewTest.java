@@ -30,8 +30,7 @@ public class PreviewTest {
     private static final String OBJECTS = "from org.SEAR.POJOs import Box, Floor\n";
     /** Counts the page's requests and the seconds since. */
     private static final String SPY = "window.asks = 0; window.seconds = 0; setInterval(function() { "
-        + "window.seconds++ }, 1000);"
-        + "var send = WebSocket.prototype.send; WebSocket.prototype.send = function(text) {"
+        + "window.seconds++ }, 1000);var send = WebSocket.prototype.send; WebSocket.prototype.send = function(text) {"
         + "if (text.indexOf('getPreview') >= 0) { window.asks++ } send.call(this, text) }";
     @Rule
     public final TestRule page = TABS.page("sear");

@@ -29,8 +29,7 @@ public final class DeviceWorld {
         "robot.addComponent(drive)",
         "robot.addComponent(Cylinder('body', 0.1666875, 0.0762, 4))",
         "for (name, x, z, driven) in (('front', 0, 0.16, 0), ('right', -0.129, 0, 1), ('left', 0.129, 0, 1), ('back', "
-        + "0, -0.16, 0)):",
-        "    wheel = Wheel(name, 0.0381, 0.03, driven)",
+        + "0, -0.16, 0)):", "    wheel = Wheel(name, 0.0381, 0.03, driven)",
         "    wheel.move(x, 0, z)",
         "    robot.addWheel(wheel)",
         "scanner = LIDAR('scanner', 8.191, 180, 1, 0, 0.15, 0.1)",

@@ -29,8 +29,7 @@ public class LidarModelsTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs(String.join("\n", DeviceWorld.SCRIPT,
         // after a LIDAR service starts, Python has the service under the name LIDAR
-        "from org.SEAR.POJOs import LIDAR as Scanner",
-        "Box('behind', 20, 0.2, 1, 0).move(0, 0.5, -2)",
+        "from org.SEAR.POJOs import LIDAR as Scanner", "Box('behind', 20, 0.2, 1, 0).move(0, 0.5, -2)",
         "for (number, model) in ((2, 'RPLIDAR-A1'), (3, 'URG-04LX')):",
         "    another = Scanner('another%d' % number)",
         "    another.setModel(model)",

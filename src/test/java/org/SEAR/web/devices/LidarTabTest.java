@@ -118,11 +118,9 @@ public class LidarTabTest {
             assertEquals(length, browser.number(PANEL, "scan.metres[" + beam(scan, degrees) + "]"), 0);
             String point = "point(geometry(), " + length + ", " + degrees + ")";
             assertEquals(browser.number(PANEL, "geometry().x") + length / reach * radius * Math.cos(
-                Math.toRadians(degrees)),
-                browser.number(PANEL, point + ".x"), PIXEL);
+                Math.toRadians(degrees)), browser.number(PANEL, point + ".x"), PIXEL);
             assertEquals(browser.number(PANEL, "geometry().y") - length / reach * radius * Math.sin(
-                Math.toRadians(degrees)),
-                browser.number(PANEL, point + ".y"), PIXEL);
+                Math.toRadians(degrees)), browser.number(PANEL, point + ".y"), PIXEL);
             browser.until("a dot at " + degrees, () -> isDotAt(length, degrees));
             assertFalse("a dot before the object at " + degrees, isDotAt(length * 0.8, degrees));
         }

@@ -88,8 +88,7 @@ public class CameraTabTest {
         browser.script("var box = arguments[0].querySelector('img').getBoundingClientRect(); "
             + "arguments[0].dispatchEvent(new MouseEvent('click',"
             + " {detail: 1, bubbles: true, clientX: box.left + arguments[1] * box.width, clientY: box.top + "
-            + "arguments[2] * box.height}))",
-            picture, across, down);
+            + "arguments[2] * box.height}))", picture, across, down);
     }
 
     private long asked() {
@@ -177,8 +176,7 @@ public class CameraTabTest {
         assertTrue("inside the view", Boolean.TRUE.equals(
             browser.script("var box = arguments[0].getBoundingClientRect(),"
             + " view = document.querySelector('.sear-canvas').getBoundingClientRect(); return box.left > view.left && "
-            + "box.right < view.right"
-            + " && box.top > view.top && box.bottom < view.bottom", over)));
+            + "box.right < view.right && box.top > view.top && box.bottom < view.bottom", over)));
         browser.until("more pixels", () ->
             LARGE.equals(browser.script("return document.querySelector('.sear-eye-large img').naturalWidth")));
         browser.click(".sear-eye-close");
@@ -225,8 +223,7 @@ public class CameraTabTest {
         click("depth", 0.51, 0.51);
         browser.seeText(eye("depth") + ".sear-eye-words", ": 1.400 m ahead");
         browser.script("var s = document.querySelector('.sear-slider'); s.value = s.max; s.dispatchEvent(new "
-            + "Event('input', {bubbles: true}));"
-            + " s.dispatchEvent(new Event('change', {bubbles: true}))");
+            + "Event('input', {bubbles: true})); s.dispatchEvent(new Event('change', {bubbles: true}))");
         browser.until("at its end", () -> recordNumber("depth", "time") == 2);
         browser.until("nearer", () -> browser.text(eye("depth") + ".sear-eye-words").contains(": 0.8"));
         browser.click(".sear-back-to-now");

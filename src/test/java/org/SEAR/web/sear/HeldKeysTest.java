@@ -24,12 +24,10 @@ public class HeldKeysTest {
     private static final String SAID = SAID_ONES + ".";
     private static final double EPSILON = 0.5;
     private static final String WHEELS = String.join("\n", "from org.SEAR.POJOs import *", "sear.newProject()",
-        "Floor('floor', 40, 40)",
-        "robot = SEARrobot('robot')", "robot.addComponent(Dynamics('drive', 4))",
+        "Floor('floor', 40, 40)", "robot = SEARrobot('robot')", "robot.addComponent(Dynamics('drive', 4))",
         "robot.move(0, 0.1, 0)", "body = Box('body', 0.2, 0.4, 0.06, 4)", "body.move(0, 0.05, 0)",
         "robot.addComponent(body)", "def wheel(name, kind, x, z):", "    one = Wheel(name, 0.05, 0.03, kind, x, 0, z)",
-        "    robot.addWheel(one)",
-        "    return one", "");
+        "    robot.addWheel(one)", "    return one", "");
     /** A motor at the rear, and front wheels steered by a servo, both on pins of an Arduino. */
     private static final String CAR = WHEELS
         + String.join("\n", "engine = Motor('engine', wheel('left', 1, 0.12, -0.15), 0.6, 40)",
@@ -38,8 +36,7 @@ public class HeldKeysTest {
         "robot.addComponent(steering)", "for x in (-0.12, 0.12): wheel('front%d' % (100 * x), 2, x, "
         + "0.15).setSteering(steering)",
         "uno = Arduino('uno')", "uno.setPorts('/dev/my_uno', '/dev/SEAR_uno')", "uno.wire(9, 'steering')",
-        "uno.wire(5, 'engine', 'pwm')",
-        "robot.addComponent(uno)", "");
+        "uno.wire(5, 'engine', 'pwm')", "robot.addComponent(uno)", "");
     /** A motor wheel in the middle and three free supporting wheels. */
     private static final String MONOCYCLE = WHEELS + String.join("\n", "wheel('middle', 1, 0, 0)",
         "for number, (x, z) in enumerate(((0.1, -0.15), (-0.1, -0.15), (0, 0.15))): wheel('caster%d' % "
@@ -61,8 +58,7 @@ public class HeldKeysTest {
     private void begin(String script, String robot) {
         robotLab.run(script);
         browser.until("the robot", () -> tab.isTrue(
-            "world.shown() && world.shown().robots.length == 1 && world.shown().robots[0].name == '" + robot
-            + "'"));
+            "world.shown() && world.shown().robots.length == 1 && world.shown().robots[0].name == '" + robot + "'"));
         tab.start();
         new Actions(browser.driver()).moveToElement(browser.see(".sear-view"), 0, 0).click().perform();
     }

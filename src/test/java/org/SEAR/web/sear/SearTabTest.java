@@ -392,8 +392,7 @@ public class SearTabTest {
             + "Wheel\nsear.newProject()\n"
             + "Floor('floor', 20, 20, False)\nwall = Box('wall', 4, 0.2, 1, 0)\nwall.move(0, 0.5, 2)\n"
             + "robot = SEARrobot('bot')\nrobot.addComponent(Dynamics('d', 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, "
-            + "0, 0, 0, 0))\n"
-            + "robot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
+            + "0, 0, 0, 0))\nrobot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
             + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
             + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n"
             + "robot.addComponent(Distance('ahead', 'PING)))', 0, 0.1, 0.15, 0, 0, 0))\n"
@@ -430,8 +429,7 @@ public class SearTabTest {
 
     private static String robot(String name, double x) {
         return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('drive', 4, 60, 0.3, 0.4, "
-            + "10000, 0.1, " + x
-            + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
+            + "10000, 0.1, " + x + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
             + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
             + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n";
     }
@@ -470,10 +468,8 @@ public class SearTabTest {
     public void aPageThatOpensLaterHasTheWholeWorldAndKeepsUp() {
         robotLab.call("sear", "newProject");
         robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, SEARrobot, Wheel\nFloor('floor', 20, "
-            + "20, False)\n"
-            + "faller = Box('faller', 0.3, 0.3, 0.3, 1)\nfaller.move(3, 1, 3)\nwall = Box('wall', 1, 1, 1, "
-            + "0)\nwall.move(-3, 0.5, 0)\n"
-            + robot("anna", 0));
+            + "20, False)\nfaller = Box('faller', 0.3, 0.3, 0.3, 1)\nfaller.move(3, 1, 3)\nwall = Box('wall', 1, 1, 1, "
+            + "0)\nwall.move(-3, 0.5, 0)\n" + robot("anna", 0));
         tab.start();
         browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "faller").get(1).asDouble() < 0.16);
         robotLab.call("sear", "drive", 0.2, 1e6);

@@ -172,8 +172,7 @@ public class SpaceTest {
         browser.until("a turned view", () -> Math.abs(number("scene.orbit.azimuth") - azimuth - 0.8) < 1e-6);
         assertEquals(target[0], number("scene.orbit.target.x"), 0);
         new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, 60)
-            .release().keyUp(Keys.SHIFT)
-            .perform();
+            .release().keyUp(Keys.SHIFT).perform();
         browser.until("a moved view", () -> Math.hypot(number("scene.orbit.target.x") - target[0],
             number("scene.orbit.target.z") - target[1]) > 0.1);
         double distance = number("scene.orbit.distance");
@@ -209,8 +208,7 @@ public class SpaceTest {
             && number("scene.camera.position.y") < 0.1);
         assertTrue("above the floor", number("scene.camera.position.y") > 0);
         new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, -200)
-            .release().keyUp(Keys.SHIFT)
-            .perform();
+            .release().keyUp(Keys.SHIFT).perform();
         assertTrue("moved down, too", number("scene.position().y") > 0);
     }
 

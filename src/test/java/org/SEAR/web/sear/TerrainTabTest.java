@@ -67,8 +67,7 @@ public class TerrainTabTest {
         Matcher words = POINTED.matcher(browser.see(".sear-pointed").getText());
         assertTrue(words.matches());
         return new double[] {Double.parseDouble(words.group(1)), Double.parseDouble(words.group(2)),
-            Double.parseDouble(words.group(3)),
-            Double.parseDouble(words.group(4))};
+            Double.parseDouble(words.group(3)), Double.parseDouble(words.group(4))};
     }
 
     @Test

@@ -69,8 +69,7 @@ public class ScriptThreadsTest {
     @Test
     public void aThreadThatCanNotStartIsNotWaitedFor() throws InterruptedException {
         run("import threading\none = threading.Thread(target=len, args=('',))\none.start()\none.join()\ntry:\n    "
-            + "one.start()\n"
-            + "    raise ValueError('started twice')\nexcept RuntimeError:\n    pass\n");
+            + "one.start()\n    raise ValueError('started twice')\nexcept RuntimeError:\n    pass\n");
         assertTrue(engine.finishThreads(PATIENCE_MILLIS));
     }
 }

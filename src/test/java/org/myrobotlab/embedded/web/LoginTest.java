@@ -116,8 +116,7 @@ public class LoginTest {
         String right = cookie(link(HERE, server.token().text()));
         String value = right.substring(right.indexOf('=') + 1);
         for (String wrong : new String[] {name + "=" + server.token().text(), name + "=", name, "sear=" + value,
-            "=" + value,
-            "sear-" + (server.port() + 1) + "=" + value, name + "=" + server.token()
+            "=" + value, "sear-" + (server.port() + 1) + "=" + value, name + "=" + server.token()
             .cookie("sear-" + (server.port() + 1) + " " + HERE),
             name + "=" + value + "x", name + "=\"" + value + "\""}) {
             assertEquals(wrong, 401, server.status("GET /", "", "Cookie: " + wrong));

@@ -146,8 +146,7 @@ final class Server extends ExternalResource {
     Socket webSocket(String path, String... headers) throws IOException {
         Socket socket = connect();
         send(socket, head("GET " + path, headers) + "Connection: Upgrade\r\nUpgrade: "
-            + "websocket\r\nSec-WebSocket-Version: 13\r\n"
-            + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
+            + "websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
         boolean isOpen = line(socket.getInputStream()).startsWith("HTTP/1.1 101");
         if (!isOpen) {
             socket.close();

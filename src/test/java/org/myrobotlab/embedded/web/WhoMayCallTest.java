@@ -55,8 +55,7 @@ public class WhoMayCallTest {
     public void formsAndBeaconsCannotCall() throws Exception {
         assertEquals(415, post());
         for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x",
-            "text/plain",
-            "text/plain; a=application/json", "application/jsonp", ""}) {
+            "text/plain", "text/plain; a=application/json", "application/jsonp", ""}) {
             assertEquals(type, 415, post("Content-Type: " + type));
         }
     }

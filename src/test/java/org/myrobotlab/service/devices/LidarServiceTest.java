@@ -55,8 +55,7 @@ public class LidarServiceTest {
     /** Returns the status of a device with 180 degrees by 0.5 in an operating mode. */
     private static String status(String mode, String crc) {
         return "06 02 80 9A 00 B1" + " 00".repeat(7) + " " + mode + " 00".repeat(98) + " B4 00 32 00" + " 00".repeat(11)
-            + " 01" + " 00".repeat(30)
-            + " 10 " + crc;
+            + " 01" + " 00".repeat(30) + " 10 " + crc;
     }
 
     @After

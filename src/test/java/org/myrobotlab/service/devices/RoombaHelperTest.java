@@ -29,12 +29,9 @@ public class RoombaHelperTest {
     private static final Pattern HELPER = Pattern.compile("(?m)^def connectRoomba\\(.*\\n(?: +.*\\n)+");
     private static final String PORT = "/dev/helped";
     /** The connect methods of both MyRobotLabs, which use the service named serial. */
-    private static final String ROOMBA = "class Roomba:\n"
-        + "    def __init__(self, keeps):\n        self.keeps = keeps\n"
-        + "    def connect(self, port):\n"
-        + "        line = Runtime.start('serial', 'Serial')\n"
-        + "        line.connect(port, 57600, 8, 1, 0)\n"
-        + "        if not self.keeps:\n            line.disconnect()\n";
+    private static final String ROOMBA = "class Roomba:\n    def __init__(self, keeps):\n        self.keeps = keeps\n"
+        + "    def connect(self, port):\n        line = Runtime.start('serial', 'Serial')\n"
+        + "        line.connect(port, 57600, 8, 1, 0)\n        if not self.keeps:\n            line.disconnect()\n";
 
     private Python python;
 

@@ -104,7 +104,6 @@ public class RoombaTest {
         Roomba other = (Roomba) Runtime.start("other", "Roomba");
         other.goForward();
         assertEquals("is not connected: call connect(port) first, then write "
-            + "Runtime.getService(\"serial\").connect(\"PORT\", 57600, 8, 1, 0)",
-            other.getLastError().key);
+            + "Runtime.getService(\"serial\").connect(\"PORT\", 57600, 8, 1, 0)", other.getLastError().key);
     }
 }

@@ -125,8 +125,7 @@ public class ReceptionTest {
     @Test
     public void theConstellationWithAFixIsTaken() {
         feed("GPGGA,000001,,,,,0,00,,,M,,M,,", "BDGGA,000001" + PLACE + "1,05,1.0,20.5,M,5.5,M,,",
-            "GAGGA,000001" + PLACE
-            + "1,05,1.0,20.5,M,5.5,M,,");
+            "GAGGA,000001" + PLACE + "1,05,1.0,20.5,M,5.5,M,,");
         assertEquals("[GPGGA 000001 none, BDGGA 000001]", fixes.toString());
     }
 
@@ -203,8 +202,7 @@ public class ReceptionTest {
     public void unusableSentencesAreNamed() {
         feed("GPGLL,9130.0,N,11515.0,E,101010,A");
         assertEquals("[GLL sentence: $GPGLL,9130.0,N,11515.0,E,101010,A*21 (coordinate \"9130.0\" is 91.5 degrees, "
-            + "legal: 0 to 90.0)]",
-            invalid.toString());
+            + "legal: 0 to 90.0)]", invalid.toString());
         feed("GPRMC", "GPGSA,A,1", "GPZDA,1", "GPTXT,01,01,02,hello");
         assertEquals(1, invalid.size());
         assertEquals(5, reception.getCount());

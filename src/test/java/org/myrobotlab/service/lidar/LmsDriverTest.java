@@ -77,8 +77,7 @@ public class LmsDriverTest {
 
     private void askMode() {
         driver.ask(new LmsRequest("streaming", LmsCommand.MODE, () -> LmsCommand.MODE.request()
-            .add(OperatingMode.STREAM_ALL), 9, 3,
-            reply -> answers.add("mode")));
+            .add(OperatingMode.STREAM_ALL), 9, 3, reply -> answers.add("mode")));
     }
 
     private void pass(double seconds) {

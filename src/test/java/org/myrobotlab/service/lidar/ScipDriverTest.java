@@ -52,8 +52,7 @@ public class ScipDriverTest {
         line.pass(30, driver::tick);
         assertEquals(4, line.sent.size());
         assertEquals("[no answer to QT after 3 tries at 19200 baud: is the LIDAR switched on, and is this its port "
-            + "and baud rate?]",
-            line.errors.toString());
+            + "and baud rate?]", line.errors.toString());
     }
 
     @Test

@@ -88,8 +88,7 @@ public class JupyterTest {
     public void theNotebookReproducesItsOutputs() throws Exception {
         Path result = temporary.getRoot().toPath().resolve("result.ipynb");
         run(List.of(JUPYTER), SCRIPTS.resolve("run_notebook.py").toString(), NOTEBOOK.toString(), temporary.newFolder()
-            .toString(),
-            result.toString(), "2");
+            .toString(), result.toString(), "2");
         List<JsonNode> there = outputs(NOTEBOOK);
         List<JsonNode> now = outputs(result);
         String renew = "if it is as it is to be: ./gradlew notebooks";
@@ -113,8 +112,7 @@ public class JupyterTest {
     public void anInterruptAbortsAWait() throws Exception {
         String said = run(List.of(JUPYTER), SCRIPTS.resolve("interrupted.py").toString());
         for (String wait : List.of("simSleep(1000000) at speed max", "step(10000000) at speed max",
-            "simSleep(1000000) at speed 5",
-                "time.sleep(1000000) at speed 5")) {
+            "simSleep(1000000) at speed 5", "time.sleep(1000000) at speed 5")) {
             assertTrue(said, said.contains(wait + " was interrupted\n"));
         }
         assertTrue(said, said.endsWith("SIGTERM has ended the kernel\n"));

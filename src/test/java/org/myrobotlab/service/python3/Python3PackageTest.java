@@ -149,13 +149,11 @@ public class Python3PackageTest {
     public void oneProgramAtATimeUsesAProjectFolder() throws Exception {
         assertEquals("", inProcessAlone("import os, subprocess, sys, sear\n"
             + "sear.start(headless=True)\nsear.Floor('ground', 5, 5)\n"
-            + "other = 'import sear; sear.start(headless=True%s); sear.Floor(\"other\", 1, 1)'\n"
-            + "def run(options):\n"
+            + "other = 'import sear; sear.start(headless=True%s); sear.Floor(\"other\", 1, 1)'\ndef run(options):\n"
             + "    return subprocess.run([sys.executable, '-c', other % options], stderr=subprocess.PIPE, text=True)\n"
             + "refused = run('')\n"
             + "assert refused.returncode == 1 and 'in use by process %d (' % os.getpid() in refused.stderr, "
-            + "refused.stderr\n"
-            + "made = run(', project=\"elsewhere\"')\n"
+            + "refused.stderr\nmade = run(', project=\"elsewhere\"')\n"
             + "assert made.returncode == 0 and os.listdir('elsewhere/environment') == ['other.xml'], made.stderr\n"
             + "assert os.listdir('SEARproject/environment') == ['ground.xml']\n"));
     }
@@ -201,12 +199,10 @@ public class Python3PackageTest {
     @Test
     public void anErrorEndsAScriptWithItsLineAndStatus() throws Exception {
         Path script = Files.writeString(temporary.newFile().toPath(),
-            "#!/usr/bin/env python3\nsear = Runtime.start('sear', 'SEAR')\n"
-            + "print('begun')\nsear.getTime()\n");
+            "#!/usr/bin/env python3\nsear = Runtime.start('sear', 'SEAR')\nprint('begun')\nsear.getTime()\n");
         String said = run(1, sear(script), LIBRARIES);
         assertEquals("begun\nTraceback (most recent call last):\n  File \"" + script + "\", line 4, in <module>\n    "
-            + "sear.getTime()\n"
-            + "sear.IllegalStateException: no simulation runs: startSimulation() first\n",
+            + "sear.getTime()\nsear.IllegalStateException: no simulation runs: startSimulation() first\n",
                 said.replaceAll("(?m)^ *[\\^~]+\n", ""));
         Files.writeString(script, "#!/usr/bin/env python3\nimport sys\nsys.exit(7)\n");
         run(7, sear(script), LIBRARIES);
@@ -219,15 +215,13 @@ public class Python3PackageTest {
     public void theEditorRunsPython3AndStopsIt() throws Exception {
         Path script = Files.writeString(temporary.newFile().toPath(), String.join("\n",
             "import os, time", "from java.lang import Thread", "run = getattr(python, 'exec')",
-            "first = '#!/usr/bin/env python3\\n'",
-            "print run(first + 'print(f\"{1 + 1} by Python 3\")')",
+            "first = '#!/usr/bin/env python3\\n'", "print run(first + 'print(f\"{1 + 1} by Python 3\")')",
             "print run(first + 'raise ValueError(\"so\")')",
             "print run(first + 'import time\\nopen(\"begun.txt\", \"w\").close()\\nwhile True: time.sleep(1)', False)",
             "while not os.path.exists('begun.txt'): time.sleep(0.01)",
             "print python.stop()",
             "while [one for one in Thread.getAllStackTraces().keySet() if one.getName() == 'python_script']: "
-            + "time.sleep(0.01)",
-            "print 'stopped'"));
+            + "time.sleep(0.01)", "print 'stopped'"));
         String said = run(sear(script), LIBRARIES);
         assertTrue(said, said.startsWith("2 by Python 3\nTrue\n"));
         assertTrue(said, said.contains("line 2, in <module>\n") && said.contains("\nValueError: so\n"));
@@ -277,8 +271,7 @@ public class Python3PackageTest {
     private static void copy(Path from, Path to) throws IOException {
         try (Stream<Path> files = Files.walk(from)) {
             for (Path file : files.filter(one -> !from.relativize(one).startsWith("build") && !one.toString()
-                .contains("egg-info")
-                    && !one.toString().contains("__pycache__")).collect(Collectors.toList())) {
+                .contains("egg-info") && !one.toString().contains("__pycache__")).collect(Collectors.toList())) {
                 Files.copy(file, to.resolve(from.relativize(file).toString()));
             }
         }

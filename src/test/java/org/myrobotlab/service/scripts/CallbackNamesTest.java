@@ -116,8 +116,7 @@ public class CallbackNamesTest {
         List<String> shared = new ArrayList<>();
         for (Listener one : listeners) {
             listeners.stream().filter(other -> other != one && other.callback.equals(one.callback)
-                && !isPrinted(one, other))
-                .forEach(other -> shared.add(one + ", and " + other));
+                && !isPrinted(one, other)).forEach(other -> shared.add(one + ", and " + other));
         }
         assertEquals("[]", shared.toString());
     }
@@ -134,8 +133,7 @@ public class CallbackNamesTest {
         List<String> twice = new ArrayList<>();
         for (Listener one : listeners) {
             listeners.stream().filter(other -> other.publisher.equals(one.publisher)
-                && !other.callback.equals(one.callback))
-                .forEach(other -> twice.add(one + ", and " + other));
+                && !other.callback.equals(one.callback)).forEach(other -> twice.add(one + ", and " + other));
         }
         assertEquals("[]", twice.toString());
     }
@@ -165,7 +163,6 @@ public class CallbackNamesTest {
             assertTrue(head, head.contains("keeps its name input"));
         }
         assertEquals(PRINTED_WITH_INPUT, listeners.stream().filter(one -> one.callback.equals("input"))
-            .map(one -> one.file)
-            .distinct().collect(Collectors.toList()));
+            .map(one -> one.file).distinct().collect(Collectors.toList()));
     }
 }

@@ -73,8 +73,7 @@ public class ClockTrapTest {
                 + "end:\n    pass\n"));
         String said = heard.getStatuses().stream().filter(one -> one.contains("busy at")).findFirst().orElse("nothing");
         assertTrue(said, said.contains("simulated time has stood still for 2 s while the script is busy at line "
-            + "3 of <script>")
-            || said.contains("busy at line 4 of <script>"));
+            + "3 of <script>") || said.contains("busy at line 4 of <script>"));
         assertTrue(said, said.contains("sear.simSleep(seconds)"));
     }
 

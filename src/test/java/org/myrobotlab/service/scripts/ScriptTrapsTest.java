@@ -30,8 +30,7 @@ public class ScriptTrapsTest {
     private static List<Path> scripts() throws IOException {
         List<Path> scripts = new ArrayList<>();
         for (String folder : new String[] {"scripts", "examples", "examples/drive", "resources/templates",
-            "resources/resource/SEAR",
-            "resources/resource/LIDAR", "resources/resource/GPS"}) {
+            "resources/resource/SEAR", "resources/resource/LIDAR", "resources/resource/GPS"}) {
             try (DirectoryStream<Path> files = Files.newDirectoryStream(ROOT.resolve(folder), "*.py")) {
                 files.forEach(scripts::add);
             }

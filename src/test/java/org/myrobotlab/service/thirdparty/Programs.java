@@ -50,8 +50,7 @@ final class Programs {
         process.waitFor(seconds, TimeUnit.SECONDS);
         File file = outputs.get(processes.indexOf(process));
         return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1)
-            .split("\r?\n|\r"))
-            .collect(Collectors.toList());
+            .split("\r?\n|\r")).collect(Collectors.toList());
     }
 
     /** Waits until a process has printed a line that matches. */

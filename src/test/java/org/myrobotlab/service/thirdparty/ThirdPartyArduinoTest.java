@@ -146,8 +146,7 @@ public class ThirdPartyArduinoTest extends WithPrograms {
 
     private ProcessBuilder node(int port, int seconds) {
         ProcessBuilder node = new ProcessBuilder("node", SCRIPTS.resolve("johnny_five_drive.js").toString(),
-            Integer.toString(port),
-            Integer.toString(seconds));
+            Integer.toString(port), Integer.toString(seconds));
         node.environment().put("NODE_PATH", System.getProperty("sear.johnnyFive"));
         return node;
     }

@@ -60,8 +60,7 @@ public class ThirdPartyLidarsTest extends WithPrograms {
 
     private void mrptReadsCentimetres(String spread, String hundredths) throws Exception {
         Path config = grabber("sick-mrpt.ini", "log", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1",
-            "mm_mode = 0", "FOV = 180",
-            "FOV = " + spread, "resolution = 50", "resolution = " + hundredths);
+            "mm_mode = 0", "FOV = 180", "FOV = " + spread, "resolution = 50", "resolution = " + hundredths);
         compare(programs.grabScans(config, 15, Programs.SECONDS), sear.getLidarResult("scanner"), 80, 0.0101);
     }
 

@@ -161,8 +161,7 @@ public class ThirdPartyVisionTest {
         control.session().pause();
         String picture = save("eye");
         List<String> output = python("opencv_markers.py",
-            List.of(picture, "" + focalLength(1280), "639.5", "359.5", "" + SIZE, "DICT_4X4_50",
-            "APRILTAG_36h11"));
+            List.of(picture, "" + focalLength(1280), "639.5", "359.5", "" + SIZE, "DICT_4X4_50", "APRILTAG_36h11"));
         assertEquals(output.toString(), 2, output.size());
         Pose eye = cameras.look("eye").getPose();
         assertIsThere(output.get(0), "DICT_4X4_50 7", eye, aruco);

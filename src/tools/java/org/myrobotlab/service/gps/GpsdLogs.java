@@ -69,8 +69,7 @@ public final class GpsdLogs {
         /** @param utc hhmmss.sss; null if unknown */
         Place(String utc, double latitude, double longitude) {
             time = utc == null ? null : Integer.parseInt(utc.substring(0, 2)) * 3600
-                + Integer.parseInt(utc.substring(2, 4)) * 60
-                + Double.parseDouble(utc.substring(4));
+                + Integer.parseInt(utc.substring(2, 4)) * 60 + Double.parseDouble(utc.substring(4));
             this.latitude = latitude;
             this.longitude = longitude;
         }
@@ -150,8 +149,7 @@ public final class GpsdLogs {
         List<Path> logs;
         try (Stream<Path> files = Files.list(Path.of(folder[0]))) {
             logs = files.filter(file -> file.toString().endsWith(".log") && Files.exists(Path.of(file + ".chk")))
-                .sorted()
-                .collect(Collectors.toList());
+                .sorted().collect(Collectors.toList());
         }
         List<String> different = new ArrayList<>();
         int equal = 0;
@@ -174,8 +172,7 @@ public final class GpsdLogs {
             }
         }
         System.out.printf("%d logs: %d equal, %d different, %d only in other protocols, the rest without positions%n",
-            logs.size(), equal,
-            different.size(), other);
+            logs.size(), equal, different.size(), other);
         different.removeAll(DIFFERENT.keySet());
         if (equal == 0 || !different.isEmpty()) {
             throw new IllegalStateException("unexpected differences: " + different);

@@ -105,8 +105,7 @@ final class Rfc2217 implements TcpSession {
             if (raw >= RAW) {
                 negotiated = true;
                 end.warn("raw", raw + " bytes arrived without RFC 2217 negotiation: is it the right port? A program "
-                    + "that sends raw bytes needs "
-                    + "exportTcp");
+                    + "that sends raw bytes needs exportTcp");
             }
             end.send(data.toByteArray());
             data.reset();

@@ -62,8 +62,7 @@ public final class BundleTransfers {
         }
         if (index != expected || index >= count) {
             throw new IllegalArgumentException("part " + index + " of " + count + " of " + name
-                + " arrived out of order, expected " + expected
-                + ": upload the file again");
+                + " arrived out of order, expected " + expected + ": upload the file again");
         }
         byte[] part = decoded(name, base64);
         if (index > 0 && Files.size(upload) + part.length > GREATEST) {

@@ -159,7 +159,6 @@ public final class Edits {
     /** Returns the robot that has the component, else the name itself. */
     private static String whole(Project project, String name) {
         return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name))
-            .map(SEARrobot::getName).findFirst()
-            .orElse(name);
+            .map(SEARrobot::getName).findFirst().orElse(name);
     }
 }

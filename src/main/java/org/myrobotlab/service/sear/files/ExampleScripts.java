@@ -64,8 +64,7 @@ public final class ExampleScripts {
     public static String runner() {
         if (Runtime.getService(PYTHON) == null) {
             throw new IllegalStateException(
-                "no service named " + PYTHON + " runs scripts: call Runtime.start(\"" + PYTHON
-                + "\", \"Python\")");
+                "no service named " + PYTHON + " runs scripts: call Runtime.start(\"" + PYTHON + "\", \"Python\")");
         }
         return PYTHON;
     }

@@ -45,8 +45,7 @@ final class GroundSnap {
         Pose to;
         try {
             to = Pose.ofDegrees(number(set, "x", robot.getX()), robot.getY(), number(set, "z", robot.getZ()),
-                number(set, "rx", robot.getRx()),
-                number(set, "ry", robot.getRy()), number(set, "rz", robot.getRz()));
+                number(set, "rx", robot.getRx()), number(set, "ry", robot.getRy()), number(set, "rz", robot.getRz()));
         } catch (NumberFormatException e) {
             return edit;        // the editor reports the problem
         }

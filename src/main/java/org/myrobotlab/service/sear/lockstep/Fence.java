@@ -187,8 +187,7 @@ public final class Fence {
             greetings.remove(service);
         }
         return holds(service instanceof CallbackService ? ((CallbackService) service).getCallbackThread()
-            : handlers.get(service))
-            || holds(service.getThisThread());
+            : handlers.get(service)) || holds(service.getThisThread());
     }
 
     private boolean holds(Thread thread) {

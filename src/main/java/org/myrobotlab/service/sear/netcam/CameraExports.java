@@ -91,8 +91,7 @@ public final class CameraExports {
         String camera = ScriptText.of(asked);
         if (!names().contains(camera)) {
             throw new IllegalArgumentException("camera " + (camera == null ? "None" : "\"" + camera + "\"")
-                + " is not exported, legal: "
-                + (made.isEmpty() ? "none" : String.join(", ", names())));
+                + " is not exported, legal: " + (made.isEmpty() ? "none" : String.join(", ", names())));
         }
         made.values().removeIf(one -> {
             boolean ends = one.getCamera().equals(camera);

@@ -56,8 +56,7 @@ enum DeviceProfile {
             }
         }
         throw new IllegalArgumentException("the product is " + (title == null ? "missing (None)" : "\"" + title + "\"")
-            + ", legal: "
-            + Arrays.stream(values()).filter(one -> one != PLAIN).map(one -> one.title)
+            + ", legal: " + Arrays.stream(values()).filter(one -> one != PLAIN).map(one -> one.title)
                 .collect(Collectors.joining(", ")));
     }
 

@@ -24,8 +24,7 @@ final class HttpReplies {
      * it.
      */
     private static final String ALWAYS = "Cache-Control: no-store" + LINE + "Connection: close" + LINE
-        + "X-Content-Type-Options: nosniff" + LINE
-        + "X-Frame-Options: DENY" + LINE;
+        + "X-Content-Type-Options: nosniff" + LINE + "X-Frame-Options: DENY" + LINE;
 
     private HttpReplies() {
     }
@@ -36,8 +35,7 @@ final class HttpReplies {
 
     private static ByteBuffer[] answer(int status, String type, String more, byte[] body) {
         String head = "HTTP/1.1 " + status + ' ' + REASONS.get(status) + LINE + ALWAYS + "Content-Type: " + type + LINE
-            + "Content-Length: "
-            + body.length + LINE + more + LINE;
+            + "Content-Length: " + body.length + LINE + more + LINE;
         return new ByteBuffer[] {ByteBuffer.wrap(bytes(head)), ByteBuffer.wrap(body)};
     }
 
@@ -66,8 +64,7 @@ final class HttpReplies {
         CameraImage image = shot.getImage();
         if (file == null) {
             return answer(NOT_FOUND, TEXT, "", bytes("camera " + camera + " makes pictures of kind " + image.getKind()
-                + ", legal: "
-                + Arrays.stream(Form.values()).filter(one -> one.fits(image.getKind())).map(Form::getPath)
+                + ", legal: " + Arrays.stream(Form.values()).filter(one -> one.fits(image.getKind())).map(Form::getPath)
                     .collect(Collectors.joining(", ")) + '\n'));
         }
         return answer(OK, form.getType(), time(shot), file);
@@ -78,8 +75,7 @@ final class HttpReplies {
         String name = camera.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
         return answer(OK, Form.PAGE.getType(), "Content-Security-Policy: default-src 'none'; img-src 'self'" + LINE,
             bytes("<!DOCTYPE html>\n<html lang=\"en\">\n<title>" + name + "</title>\n<h1>" + name + "</h1>\n<img src=\""
-                + Form.STREAM.getPath()
-                + "\" alt=\"camera picture\">\n<p><a href=\"" + Form.STILL.getPath()
+                + Form.STREAM.getPath() + "\" alt=\"camera picture\">\n<p><a href=\"" + Form.STILL.getPath()
                     + "\">one picture</a>\n</html>\n"));
     }
 

@@ -45,8 +45,7 @@ final class JsonNumbers {
     static double[] numbers(Pose pose) {
         double[] angles = EulerAngles.degrees(pose);
         return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE),
-            rounded(angles[0], ANGLE),
-            rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
+            rounded(angles[0], ANGLE), rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
     }
 
     /** Returns the nearest multiple of 1 / {@code per}; 0 for NaN and infinity. */

@@ -25,8 +25,7 @@ final class SteeringKeys extends JsonForm {
         String name = robot.getWheels().stream().map(Wheel::getSteeringServo).filter(Objects::nonNull).findFirst()
             .orElse(null);
         Servo servo = (Servo) robot.getComponents().stream()
-            .filter(part -> part instanceof Servo && part.getName().equals(name)).findFirst()
-            .orElse(null);
+            .filter(part -> part instanceof Servo && part.getName().equals(name)).findFirst().orElse(null);
         if (servo != null) {
             steered.servo = robot.getName() + "/" + name;
             steered.left = Math.max(servo.getMinAngle(), Math.min(servo.getMaxAngle(), MOST));

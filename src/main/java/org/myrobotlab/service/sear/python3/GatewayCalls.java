@@ -98,8 +98,7 @@ public final class GatewayCalls {
             return type == Object.class ? 3 : type == value.getClass() ? 0 : 1;
         }
         return type.isArray() && value instanceof List && ((List<?>) value).stream()
-            .allMatch(one -> distance(type.getComponentType(), one) < NO)
-            ? 2 : NO;
+            .allMatch(one -> distance(type.getComponentType(), one) < NO) ? 2 : NO;
     }
 
     private static int numberDistance(Class<?> type, Object value) {
@@ -149,8 +148,7 @@ public final class GatewayCalls {
             long whole = value.longValue();    // Python in Java's process passes each whole number as a long
             if (whole != (int) whole) {
                 throw new IllegalArgumentException("a value is " + whole + ", legal: whole numbers from "
-                    + Integer.MIN_VALUE + " to "
-                    + Integer.MAX_VALUE);
+                    + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE);
             }
             return (int) whole;
         } else if (type == short.class || type == Short.class) {

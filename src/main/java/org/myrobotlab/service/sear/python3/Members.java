@@ -81,8 +81,7 @@ public final class Members {
     public static List<String> ownNames(Class<?> type) {
         return Stream.of(type.getDeclaredMethods(), type.getDeclaredFields()).flatMap(Arrays::stream)
             .filter(one -> Modifier.isPublic(one.getModifiers()) && !one.isSynthetic()).map(Member::getName)
-            .distinct().sorted()
-            .collect(Collectors.toList());
+            .distinct().sorted().collect(Collectors.toList());
     }
 
     /** Returns a class by its full name; null if there is none. */

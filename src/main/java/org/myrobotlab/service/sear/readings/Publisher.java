@@ -62,8 +62,7 @@ public final class Publisher {
         if (session != null && session.time() > TIMEOUT && host.isReadingHeard()) {
             silenceReported = true;
             host.warn("a listener waits for publishReading, but no reading is published: call "
-                + "sear.startPublishing(sensor, readings per second);"
-                + " sensors: " + String.join(", ", readings.names()));
+                + "sear.startPublishing(sensor, readings per second); sensors: " + String.join(", ", readings.names()));
         }
     }
 

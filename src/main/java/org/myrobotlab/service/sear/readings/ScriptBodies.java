@@ -135,8 +135,7 @@ public final class ScriptBodies implements ScriptSession.Acts {
     private static String given(String name) {
         if (name == null) {
             throw new IllegalArgumentException(
-                "the name is missing (None), legal: the name of an object with a mass, or"
-                + " of a robot");
+                "the name is missing (None), legal: the name of an object with a mass, or of a robot");
         }
         return ScriptText.of(name);
     }

@@ -52,8 +52,7 @@ public final class Plans {
         Path folder = control.getFolder();
         if (!Files.isDirectory(folder)) {
             throw new IOException("there is no project folder " + folder.toAbsolutePath()
-                + ": create some objects first (org.SEAR.POJOs), or"
-                + " loadProject(\"file.sear\")");
+                + ": create some objects first (org.SEAR.POJOs), or loadProject(\"file.sear\")");
         }
         ProjectSwap.hold();
         try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {

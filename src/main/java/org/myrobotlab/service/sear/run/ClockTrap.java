@@ -23,8 +23,7 @@ final class ClockTrap {
     private static final String SERVICE = ".SEAR";
     /** Calls that advance time or may take seconds of real time; none of them counts as a loop of the script. */
     private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset",
-        "loadProject", "saveProject",
-        "newProject", "rerunRecord");
+        "loadProject", "saveProject", "newProject", "rerunRecord");
     private static final String REMEDY =
         ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and "
         + "sear.step(n), not ";
@@ -50,8 +49,7 @@ final class ClockTrap {
         }
         Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
         Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue()))
-            .map(Map.Entry::getKey).findFirst()
-            .orElse(null);
+            .map(Map.Entry::getKey).findFirst().orElse(null);
         boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
             reported = true;
@@ -115,7 +113,6 @@ final class ClockTrap {
         return stack.length > 0 && Arrays.stream(stack).limit(2)
             .anyMatch(frame -> frame.getClassName().equals(Thread.class.getName())
             && frame.getMethodName().startsWith("sleep")) && Arrays.stream(stack).limit(DEPTH)
-            .anyMatch(frame -> frame.getClassName()
-            .startsWith(SCRIPT));
+            .anyMatch(frame -> frame.getClassName().startsWith(SCRIPT));
     }
 }

@@ -5,8 +5,7 @@ package org.myrobotlab.service.sear.run;
 final class LibraryCheck {
     /** One class of each library. jMonkeyEngine is optional: without it there is no window. */
     private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f",
-        "com.thoughtworks.xstream.XStream",
-        "net.sf.geographiclib.Geodesic", "org.locationtech.proj4j.CRSFactory"};
+        "com.thoughtworks.xstream.XStream", "net.sf.geographiclib.Geodesic", "org.locationtech.proj4j.CRSFactory"};
 
     private LibraryCheck() {
     }

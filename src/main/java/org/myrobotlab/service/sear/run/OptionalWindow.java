@@ -15,8 +15,7 @@ final class OptionalWindow {
     synchronized void open(SimulationRunner runner, boolean debugShapes, BooleanSupplier scriptDrives, Host host) {
         try {
             WindowOptions options = new WindowOptions().setDebugShapes(debugShapes).setScriptDrives(scriptDrives)
-                .setWarnings(host::warn)
-                .setOnClosed(host::windowClosed);
+                .setWarnings(host::warn).setOnClosed(host::windowClosed);
             window = SimulatorWindow.open(runner, options);
         } catch (LinkageError | RuntimeException e) {
             host.warn("no simulator window: " + e + " (install jMonkeyEngine 3.6.1's jars into libraries/jar "

@@ -71,8 +71,7 @@ final class PendingDrives {
          */
         boolean isReplacedAtOnceBy(Order next) {
             return thread == next.thread && moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps
-                && next.time - time < NEXT_LINE
-                && !(call + values).equals(next.call + next.values);
+                && next.time - time < NEXT_LINE && !(call + values).equals(next.call + next.values);
         }
     }
 
@@ -127,8 +126,7 @@ final class PendingDrives {
         }
         boolean isOfLoop = ofLoops.contains(lost.line);
         String said = isOfLoop ? "" : "the " + lost.call + " of " + lost.line + " had no time to act: the " + next.call
-            + " of " + next.line
-            + " replaced it immediately; put sear.simSleep(seconds) between them";
+            + " of " + next.line + " replaced it immediately; put sear.simSleep(seconds) between them";
         lost = isOfLoop ? null : lost;
         next = null;
         return said;

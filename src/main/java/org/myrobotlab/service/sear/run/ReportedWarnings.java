@@ -28,8 +28,7 @@ final class ReportedWarnings {
     /** Warns that the simulation ends before a robot could run its first command, which is in the given line. */
     void reportOfNoTime(String line) {
         host.warn(ScriptLine.added("the simulation ends immediately after a drive command, so that the robot has not "
-            + "moved: a command"
-            + " returns immediately; call sear.simSleep(seconds) after it to let time pass", line));
+            + "moved: a command returns immediately; call sear.simSleep(seconds) after it to let time pass", line));
     }
 
     /** Reports a new warning; does nothing for an empty text. */

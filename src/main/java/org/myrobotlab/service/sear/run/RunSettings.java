@@ -48,8 +48,7 @@ public final class RunSettings {
         String speed = System.getProperty("sear.speed", "1");
         boolean max = MAX.equals(speed);
         return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max,
-            seed(), true,
-            threads());
+            seed(), true, threads());
     }
 
     private static double factor(String text) {
@@ -57,8 +56,7 @@ public final class RunSettings {
             return SimulationRunner.checkedSpeed(Double.parseDouble(text));
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number of "
-                + SimulationRunner.SLOWEST
-                + " or more, or max", e);
+                + SimulationRunner.SLOWEST + " or more, or max", e);
         }
     }
 

@@ -85,8 +85,7 @@ public final class SimulationControl {
         boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
         double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
         return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed,
-            groundVisible,
-            threads == null ? fromSystem.threads : threads);
+            groundVisible, threads == null ? fromSystem.threads : threads);
     }
 
     /** Sets the actions that objects created before a start perform in its world. Call before the first start. */
@@ -191,8 +190,7 @@ public final class SimulationControl {
             throw new IllegalStateException(
                 call + (present == this ? " needs the simulation to be stopped: stopSimulation() first"
                 : " needs the simulation of service " + present.host.getName() + " to be stopped, because both have "
-                + "the one project: "
-                + present.host.getName() + ".stopSimulation() first"));
+                + "the one project: " + present.host.getName() + ".stopSimulation() first"));
         }
     }
 

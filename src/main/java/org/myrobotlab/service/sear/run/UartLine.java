@@ -168,8 +168,7 @@ final class UartLine implements ExternalLine {
     /** Returns the call that sets the baud rate of a robot's drive. */
     private String remedy(int baud) {
         return isDrive() ? ", as Runtime.getService(\"serial\").connect(\"" + user.getName() + "\", "
-            + line.getDeviceBaud()
-            + ", 8, 1, 0), or robot.getPart(\"" + line.getObjectName() + "\").setBaud(" + baud
+            + line.getDeviceBaud() + ", 8, 1, 0), or robot.getPart(\"" + line.getObjectName() + "\").setBaud(" + baud
             + ") before the start" : "";
     }
 

@@ -314,8 +314,7 @@ public class ExportsTest {
             + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\ntermios2 = bytearray(44)\n"
             + "fcntl.ioctl(fd, 0x802C542A, termios2)\n"
             + "struct.pack_into('I', termios2, 8, struct.unpack_from('I', termios2, 8)[0] & ~0x100F | 0x1000)\n"
-            + "struct.pack_into('II', termios2, 36, 14400, 14400)\n"
-            + "fcntl.ioctl(fd, 0x402C542B, termios2)\n";
+            + "struct.pack_into('II', termios2, 36, 14400, 14400)\nfcntl.ioctl(fd, 0x402C542B, termios2)\n";
         String path = exports.terminal("/dev/test_user", null);
         assertEquals(0, new ProcessBuilder("python3", "-c", set, path).inheritIO().start().waitFor());
         awaitBaud(14400, baud);

@@ -103,8 +103,7 @@ public class Rfc2217Test {
         answer("02 00 01 00 31 15 12");
         answer("02 00 01 00 31 15 12");
         assertEquals("[export of /dev/test_user: 14 bytes arrived without RFC 2217 negotiation: is it the right port? "
-            + "A program that sends raw "
-            + "bytes needs exportTcp]", host.warnings.toString());
+            + "A program that sends raw bytes needs exportTcp]", host.warnings.toString());
         assertEquals("02 00 01 00 31 15 12 02 00 01 00 31 15 12 02 00 01 00 31 15 12", heard());
     }
 

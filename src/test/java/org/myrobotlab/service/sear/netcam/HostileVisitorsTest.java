@@ -128,8 +128,7 @@ public class HostileVisitorsTest {
                 : said.startsWith("404 there is nothing at "));
         }
         for (String target : new String[] {"http://localhost:" + port + "/image.jpg", "HTTP://evil.example/image.jpg",
-            "image.jpg", "*",
-            "?action=stream", "localhost:" + port}) {
+            "image.jpg", "*", "?action=stream", "localhost:" + port}) {
             assertEquals("400 address " + target + " is not allowed, legal: a path that begins with /",
                 answer(port, "GET " + target + " HTTP/1.1" + end));
         }

@@ -102,8 +102,7 @@ public class NetworkCameraTest {
         int infrared = exports.plain("infrared", 0);
         assertArrayEquals(world.cameras.png("infrared"), get(infrared, "/temperature.png", "image/png"));
         assertEquals("camera infrared makes pictures of kind infrared, legal: /stream.mjpg, /image.jpg, /image.png, "
-            + "/temperature.png, /",
-            refused(infrared, "/depth.png", NOT_FOUND));
+            + "/temperature.png, /", refused(infrared, "/depth.png", NOT_FOUND));
         assertArrayEquals("false colours", new int[] {CameraWorld.WIDTH, CameraWorld.HEIGHT},
             size(get(depth, "/image.jpg", "image/jpeg")));
         try (Visitor visitor = Visitor.at(infrared, "/stream.mjpg")) {
@@ -164,8 +163,7 @@ public class NetworkCameraTest {
         }
         assertArrayEquals(still, get(port, "/image.jpg", "image/jpeg"));
         assertEquals("there is nothing at /stream, legal: /stream.mjpg, /image.jpg, /image.png, /depth.png, "
-            + "/temperature.png, /",
-            refused(port, "/stream", NOT_FOUND));
+            + "/temperature.png, /", refused(port, "/stream", NOT_FOUND));
         assertEquals(Map.of("color", List.of("network camera (ESP32-CAM) http://localhost:" + (port + 1) + "/stream")),
             exports.list());
     }

@@ -29,8 +29,7 @@ public class JsonFormTest {
         form.maybe = "b";
         form.inside = List.of(new Above());
         assertEquals("{\"first\":1,\"always\":\"a\",\"maybe\":\"b\",\"inside\":[{\"first\":1,\"always\":null}],"
-            + "\"last\":[1.5]}",
-            CodecUtils.toJson(form.map()));
+            + "\"last\":[1.5]}", CodecUtils.toJson(form.map()));
     }
 
     @Test

@@ -55,8 +55,7 @@ public class WorldFeedTest {
 
     private static String box(String name, double edge, double x, double y, double z, double mass) {
         return "<Box><name>" + name + "</name><length>" + edge + "</length><width>" + edge + "</width><height>" + edge
-            + "</height><mass>" + mass
-            + "</mass><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></Box>";
+            + "</height><mass>" + mass + "</mass><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></Box>";
     }
 
     private Map<String, Object> next(Simulation world) {
@@ -258,14 +257,11 @@ public class WorldFeedTest {
         Path robot = Files.createDirectories(folder.resolve("robot"));
         for (int i = 0; i < ROBOTS; i++) {
             Files.writeString(robot.resolve("r" + i + ".xml"), "<SEARrobot><name>r" + i + "</name><component>d" + i
-                + "</component><component>eye" + i
-                + "</component></SEARrobot>");
+                + "</component><component>eye" + i + "</component></SEARrobot>");
             Files.writeString(robot.resolve("d" + i + ".xml"), "<Dynamics><name>d" + i
-                + "</name><mass>1</mass><x>" + 2 * i
-                + "</x><y>3</y></Dynamics>");
+                + "</name><mass>1</mass><x>" + 2 * i + "</x><y>3</y></Dynamics>");
             Files.writeString(robot.resolve("eye" + i + ".xml"), "<LIDAR><name>eye" + i
-                + "</name><range>8</range><spread>180</spread>"
-                + "<resolution>0.5</resolution></LIDAR>");
+                + "</name><range>8</range><spread>180</spread><resolution>0.5</resolution></LIDAR>");
         }
         Path environment = Files.createDirectories(folder.resolve("environment"));
         for (int i = 0; i < 10 * ROBOTS; i++) {

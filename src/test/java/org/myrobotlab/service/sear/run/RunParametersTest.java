@@ -90,8 +90,7 @@ public class RunParametersTest {
     public void invalidResultsAreRejected() {
         BigInteger large = BigInteger.TWO.pow(70);
         assertEquals("result way is 1180591620717411303424, legal: -2**63 to 2**63-1; float(value) keeps 15 "
-            + "digits of it",
-            refused(() -> RunParameters.setResult("way", large)));
+            + "digits of it", refused(() -> RunParameters.setResult("way", large)));
         RunParameters.setResult("way", BigInteger.TWO.pow(62));
         assertEquals(Map.of("way", 1L << 62), RunParameters.takeResults());
         given("speed", "1");

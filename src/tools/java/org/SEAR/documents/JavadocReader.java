@@ -116,7 +116,7 @@ final class JavadocReader {
             call.errors.merge(error.getExceptionName().getSignature(), DocText.of(error.getDescription()), (a, b) -> a
                 + "; " + b);
         } else if (tag instanceof UnknownBlockTagTree && ((UnknownBlockTagTree) tag).getTagName().equals("example")) {
-            call.example = DocText.raw((UnknownBlockTagTree) tag);
+            call.example = DocText.raw((UnknownBlockTagTree) tag).replaceAll("\\s*\\n\\s*", " ");
         }
     }
 

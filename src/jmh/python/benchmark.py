@@ -14,6 +14,7 @@ import time
 import bodies
 import cameras
 import cores
+import joints
 import machine
 import page
 from program import Program
@@ -359,6 +360,8 @@ def main():
                         help="measure only bodies that end at rest, in these engines (default: sear,bullet,mujoco), and"
                         " print the table; writes nothing into docs")
     parser.add_argument("--scenes", metavar="SCENES", help="scenes of bodies, for example pile-100,stack-10 (default: all; with --quick two)")
+    parser.add_argument("--joints", metavar="MECHANISMS", nargs="?", const=",".join(joints.MECHANISMS),
+                        help="measure only mechanisms, and print the table; writes nothing into docs")
     parser.add_argument("--cameras", action="store_true", help="measure only pictures of cameras, and print the table; writes nothing into docs")
     parser.add_argument("--cores", action="store_true", help="measure only several cores and many robots, and print the tables;"
                         " writes nothing into docs")
@@ -379,6 +382,10 @@ def main():
         if options.bodies:
             results, missing = run.bodies()
             print("\n".join(bodies.table(results) + ["%s: %s" % one for one in missing.items()]))
+            return
+        if options.joints:
+            results, missing = joints.measure(run, options.joints.split(","))
+            print("\n".join(joints.table(results) + ["%s: %s" % one for one in missing.items()]))
             return
         if options.cameras:
             results, missing = cameras.Cameras(run, options.quick).measure()

@@ -9,8 +9,12 @@ package org.SEAR.physics.joint;
 public final class JointAxis {
     /** Speed of approach below which a limit does not bounce, m/s or rad/s. */
     private static final double MIN_BOUNCE = 0.05;
-    /** Largest share of a radian by which a spring may swing in a substep and still be computed without damping. */
+    /**
+     * Largest angle squared by which a spring may swing in a substep, and share of its speed that a damper may take, for
+     * the mean of the forces before and after the substep. Beyond, the forces are those after it, which damps more.
+     */
     private static final double SLOW_SPRING = 0.3;
+    private static final double SLOW_DAMPER = 1;
 
     /** Quantity that a drive controls. */
     public enum Drive {
@@ -160,9 +164,8 @@ public final class JointAxis {
 
     /** Sets up the rows from number {@code at} on. */
     void fill(JointRows rows, int at, Direction direction, double seconds) {
-        rows.begin(at);
+        rows.beginMeasuring(at);
         direction.set(at, 1);
-        rows.states[at] = JointRows.State.OFF;
         int row = at + 1;
         if (isLimited()) {
             fillLimit(rows, row++, direction, seconds);
@@ -178,8 +181,10 @@ public final class JointAxis {
             rows.begin(row);
             direction.set(row, 1);
             rows.kept[row] = false;
-            double swings = stiffness * seconds * seconds * rows.mobility(row, row);
-            soften(rows, row, stiffness, damping, position - rest, swings < SLOW_SPRING ? 0 : 1, seconds);
+            double mobility = rows.mobility(row);
+            double ahead = stiffness * seconds * seconds * mobility < SLOW_SPRING ? 0 : stiffness * seconds;
+            double mean = ahead == 0 && damping * seconds * mobility < SLOW_DAMPER ? damping / 2 : 0;
+            soften(rows, row, damping - mean + ahead, stiffness * (position - rest) + mean * speed, seconds);
             row++;
         }
         if (drive != Drive.NONE) {
@@ -221,20 +226,14 @@ public final class JointAxis {
         }
     }
 
-    /**
-     * Sets up a row as spring and damper: force = -rate offset - damper speed.
-     * @param ahead share of the substep by which the offset is taken ahead: 0 keeps the energy, 1 damps and is always
-     *     stable
-     */
-    private static void soften(JointRows rows, int row, double rate, double damper, double offset, double ahead,
-        double seconds) {
-        double lost = seconds * (damper + ahead * seconds * rate);
-        if (lost > 0) {
-            rows.softness[row] = 1 / lost;
-            rows.target[row] = -rows.softness[row] * seconds * rate * offset;
+    /** Sets up a row with the force {@code -force - damper speed}, where the speed is that after the substep. */
+    private static void soften(JointRows rows, int row, double damper, double force, double seconds) {
+        if (damper > 0) {
+            rows.softness[row] = 1 / (seconds * damper);
+            rows.target[row] = -force / damper;
         } else {
             rows.states[row] = JointRows.State.OFF;
-            rows.push(row, -seconds * rate * offset);
+            rows.push(row, -seconds * force);
         }
     }
 
@@ -246,11 +245,11 @@ public final class JointAxis {
                 Math.max(0, stall - losses * now) * seconds);
             rows.target[row] = target;
         } else if (drive == Drive.POWER) {
-            soften(rows, row, stall, losses, -target, 0, seconds);
+            soften(rows, row, losses, -stall * target, seconds);
         } else if (Math.abs(position - target) >= range) {
-            soften(rows, row, stall, losses, Math.signum(position - target), 0, seconds);
+            soften(rows, row, losses, stall * Math.signum(position - target), seconds);
         } else {
-            soften(rows, row, stall / range, losses, position - target, 1, seconds);
+            soften(rows, row, losses + stall / range * seconds, stall / range * (position - target), seconds);
         }
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics.joint;
 
+import java.util.List;
+
 /**
  * Constraint rows of a mechanism in a substep. A row asks for {@code speed + softness impulse = target}, where the
  * speed is that of the second body against the first along a direction, within the limits of its impulse. Simulation
@@ -35,6 +37,8 @@ final class JointRows {
     final double[] error;
     /** Whether the position of the row is kept: that of a limit only against one side. */
     final boolean[] kept;
+    /** Whether a row only measures a speed. */
+    private final boolean[] measuring;
     private final int[] terms;
     private final JointedBody[] bodies;
     private final double[] jacobian;
@@ -51,6 +55,7 @@ final class JointRows {
         impulse = new double[size];
         error = new double[size];
         kept = new boolean[size];
+        measuring = new boolean[size];
         terms = new int[size];
         bodies = new JointedBody[size * TERMS];
         jacobian = new double[size * TERMS * NUMBERS];
@@ -68,6 +73,13 @@ final class JointRows {
         impulse[row] = 0;
         error[row] = 0;
         kept[row] = true;
+    }
+
+    /** Begins a row that only measures its speed. */
+    void beginMeasuring(int row) {
+        begin(row);
+        measuring[row] = true;
+        states[row] = State.OFF;
     }
 
     /** Limits the impulse of a row. A row that was at a limit in the last substep starts there. */
@@ -126,34 +138,42 @@ final class JointRows {
         response[at + 5] = turns * (body.i02 * ax + body.i12 * ay + body.i22 * az);
     }
 
-    /** Returns the change of speed at one row per unit impulse at another. */
-    double mobility(int row, int other) {
+    /** Returns the change of a row's speed per unit impulse at this row. */
+    double mobility(int row) {
         double sum = 0;
         for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
-            for (int k = other * TERMS; k < other * TERMS + terms[other]; k++) {
-                if (bodies[i] == bodies[k] && bodies[i].movable) {
-                    int p = i * NUMBERS;
-                    int q = k * NUMBERS;
-                    sum += jacobian[p] * response[q] + jacobian[p + 1] * response[q + 1]
-                        + jacobian[p + 2] * response[q + 2]
-                        + jacobian[p + 3] * response[q + 3] + jacobian[p + 4] * response[q + 4]
-                        + jacobian[p + 5] * response[q + 5];
-                }
-            }
+            sum += product(i * NUMBERS, i * NUMBERS);
         }
         return sum;
     }
 
-    /** Whether two rows act on a common body that can move. */
-    boolean isCoupled(int row, int other) {
-        for (int i = row * TERMS; i < row * TERMS + terms[row]; i++) {
-            for (int k = other * TERMS; k < other * TERMS + terms[other]; k++) {
+    /**
+     * Returns the change of speed at one row per unit impulse at another.
+     * @param pairs what {@link #couple} has added for both rows, from one number up to another
+     */
+    double mobility(int[] pairs, int from, int to) {
+        double sum = 0;
+        for (int i = from; i < to; i += 2) {
+            sum += product(pairs[i], pairs[i + 1]);
+        }
+        return sum;
+    }
+
+    private double product(int p, int q) {
+        return jacobian[p] * response[q] + jacobian[p + 1] * response[q + 1] + jacobian[p + 2] * response[q + 2]
+            + jacobian[p + 3] * response[q + 3] + jacobian[p + 4] * response[q + 4] + jacobian[p + 5] * response[q + 5];
+    }
+
+    /** Adds the places of two rows' terms of common bodies that can move. They stay while the joints do. */
+    void couple(int row, int other, List<Integer> pairs) {
+        for (int i = row * TERMS; i < row * TERMS + terms[row] && !measuring[row]; i++) {
+            for (int k = other * TERMS; k < other * TERMS + terms[other] && !measuring[other]; k++) {
                 if (bodies[i] == bodies[k] && bodies[i].inverseMass > 0) {
-                    return true;
+                    pairs.add(i * NUMBERS);
+                    pairs.add(k * NUMBERS);
                 }
             }
         }
-        return false;
     }
 
     /** Returns the speed of a row, m/s or rad/s. */

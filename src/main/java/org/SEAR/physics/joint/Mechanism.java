@@ -43,6 +43,9 @@ public final class Mechanism {
     private int[] firsts = {};
     private int[] starts = {};
     private int[] columns = {};
+    /** Terms of each entry of the matrix, see {@link JointRows#couple}, and where those of an entry start. */
+    private int[] pairs = {};
+    private int[] pairStarts = {};
     private double[] diagonal = {};
     private double[] entries = {};
     private double[] change = {};
@@ -94,7 +97,7 @@ public final class Mechanism {
      * @param gravity m/s^2 downwards, which has acted for this time
      */
     public void prepare(double newSeconds, double gravity) {
-        double late = seconds > 0 ? gravity * (seconds - newSeconds) / 2 : 0;
+        double late = gravity * (seconds - newSeconds) / 2;
         for (int i = 0; i < bodies.size() && late != 0; i++) {
             bodies.get(i).v[1] -= bodies.get(i).movable ? late : 0;
         }
@@ -151,15 +154,21 @@ public final class Mechanism {
         fill();
         starts = new int[size + 1];
         List<Integer> found = new ArrayList<>();
+        List<Integer> terms = new ArrayList<>();
+        List<Integer> ends = new ArrayList<>(List.of(0));
         for (int k = 0; k < size; k++) {
             for (int i = 0; i < k; i++) {
-                if (rows.isCoupled(i, k)) {
+                rows.couple(i, k, terms);
+                if (terms.size() > ends.get(ends.size() - 1)) {
                     found.add(i);
+                    ends.add(terms.size());
                 }
             }
             starts[k + 1] = found.size();
         }
-        columns = found.stream().mapToInt(Integer::intValue).toArray();
+        columns = toArray(found);
+        pairs = toArray(terms);
+        pairStarts = toArray(ends);
         diagonal = new double[size];
         entries = new double[columns.length];
         change = new double[size];
@@ -168,14 +177,19 @@ public final class Mechanism {
         matrix.analyse(size, starts, columns);
     }
 
+    private static int[] toArray(List<Integer> numbers) {
+        return numbers.stream().mapToInt(Integer::intValue).toArray();
+    }
+
     private void factor() {
         factored = true;
         for (int k = 0; k < rows.size; k++) {
             boolean free = rows.states[k] == JointRows.State.FREE;
-            diagonal[k] = free ? (1 + REGULARIZATION) * rows.mobility(k, k) + rows.softness[k] : 1;
+            diagonal[k] = free ? (1 + REGULARIZATION) * rows.mobility(k) + rows.softness[k] : 1;
             diagonal[k] = diagonal[k] > 0 ? diagonal[k] : 1;
             for (int p = starts[k]; p < starts[k + 1]; p++) {
-                entries[p] = free && rows.states[columns[p]] == JointRows.State.FREE ? rows.mobility(columns[p], k) : 0;
+                entries[p] = free && rows.states[columns[p]] == JointRows.State.FREE
+                    ? rows.mobility(pairs, pairStarts[p], pairStarts[p + 1]) : 0;
             }
         }
         matrix.factor(diagonal, entries);

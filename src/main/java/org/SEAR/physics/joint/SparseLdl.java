@@ -14,15 +14,15 @@ final class SparseLdl {
     /** Rows of the entries above the diagonal, column after column. */
     private int[] starts;
     private int[] rows;
-    private int[] parent;
     private int[] firsts;
-    private int[] lengths;
     private int[] lowerRows;
     private double[] lower;
     private double[] pivots;
     private double[] column;
-    private int[] path;
-    private int[] seen;
+    /** Entries of each row of L in the order of elimination: their columns, and their places in {@link #lower}. */
+    private int[] rowStarts;
+    private int[] rowColumns;
+    private int[] rowPlaces;
 
     /**
      * Finds the pattern of the factors.
@@ -33,13 +33,12 @@ final class SparseLdl {
         size = newSize;
         starts = newStarts;
         rows = newRows;
-        parent = new int[size];
-        lengths = new int[size];
-        seen = new int[size];
-        path = new int[size];
         column = new double[size];
         pivots = new double[size];
         firsts = new int[size + 1];
+        int[] parent = new int[size];
+        int[] seen = new int[size];
+        int[] lengths = new int[size];
         Arrays.fill(parent, -1);
         for (int k = 0; k < size; k++) {
             seen[k] = k;
@@ -56,46 +55,36 @@ final class SparseLdl {
         }
         lowerRows = new int[firsts[size]];
         lower = new double[firsts[size]];
+        findRows(parent);
     }
 
-    /**
-     * Computes the factors.
-     * @param diagonal of the matrix
-     * @param entries above the diagonal, in the order of the row numbers
-     */
-    void factor(double[] diagonal, double[] entries) {
-        Arrays.fill(lengths, 0);
+    private void findRows(int[] parent) {
+        rowStarts = new int[size + 1];
+        rowColumns = new int[firsts[size]];
+        rowPlaces = new int[firsts[size]];
+        int[] seen = new int[size];
+        int[] path = new int[size];
+        int[] lengths = new int[size];
         Arrays.fill(seen, -1);
         for (int k = 0; k < size; k++) {
-            int top = reach(k, entries);
-            double pivot = diagonal[k];
-            for (; top < size; top++) {
+            int at = rowStarts[k];
+            for (int top = reach(k, parent, seen, path); top < size; top++) {
                 int i = path[top];
-                double value = column[i];
-                column[i] = 0;
-                int end = firsts[i] + lengths[i];
-                for (int p = firsts[i]; p < end; p++) {
-                    column[lowerRows[p]] -= lower[p] * value;
-                }
-                double factor = value / pivots[i];
-                pivot -= factor * value;
-                lowerRows[end] = k;
-                lower[end] = factor;
-                lengths[i]++;
+                rowColumns[at] = i;
+                rowPlaces[at] = firsts[i] + lengths[i]++;
+                lowerRows[rowPlaces[at++]] = k;
             }
-            pivots[k] = pivot;
+            rowStarts[k + 1] = at;
         }
     }
 
-    /** Scatters column {@code k} and collects the columns on which it depends, in the order of elimination. */
-    private int reach(int k, double[] entries) {
+    /** Collects the columns on which column {@code k} depends, in the order of elimination. Returns their start. */
+    private int reach(int k, int[] parent, int[] seen, int[] path) {
         int top = size;
         seen[k] = k;
         for (int p = starts[k]; p < starts[k + 1]; p++) {
-            int i = rows[p];
-            column[i] += entries[p];
             int length = 0;
-            for (; seen[i] != k; i = parent[i]) {
+            for (int i = rows[p]; seen[i] != k; i = parent[i]) {
                 path[length++] = i;
                 seen[i] = k;
             }
@@ -106,17 +95,46 @@ final class SparseLdl {
         return top;
     }
 
+    /**
+     * Computes the factors.
+     * @param diagonal of the matrix
+     * @param entries above the diagonal, in the order of the row numbers
+     */
+    void factor(double[] diagonal, double[] entries) {
+        for (int k = 0; k < size; k++) {
+            for (int p = starts[k]; p < starts[k + 1]; p++) {
+                column[rows[p]] += entries[p];
+            }
+            double pivot = diagonal[k];
+            for (int at = rowStarts[k]; at < rowStarts[k + 1]; at++) {
+                int i = rowColumns[at];
+                int end = rowPlaces[at];
+                double value = column[i];
+                column[i] = 0;
+                for (int p = firsts[i]; p < end; p++) {
+                    column[lowerRows[p]] -= lower[p] * value;
+                }
+                double factor = value / pivots[i];
+                pivot -= factor * value;
+                lower[end] = factor;
+            }
+            pivots[k] = pivot;
+        }
+    }
+
     /** Replaces the right side by the solution. */
     void solve(double[] x) {
         for (int k = 0; k < size; k++) {
             double value = x[k];
-            for (int p = firsts[k]; p < firsts[k] + lengths[k]; p++) {
+            int end = firsts[k + 1];
+            for (int p = firsts[k]; p < end; p++) {
                 x[lowerRows[p]] -= lower[p] * value;
             }
         }
         for (int k = size - 1; k >= 0; k--) {
             double value = x[k] / pivots[k];
-            for (int p = firsts[k]; p < firsts[k] + lengths[k]; p++) {
+            int end = firsts[k + 1];
+            for (int p = firsts[k]; p < end; p++) {
                 value -= lower[p] * x[lowerRows[p]];
             }
             x[k] = value;

@@ -72,7 +72,8 @@ public class JointEditsTest extends EditedProject {
         Map<String, String> reasons = JointAdvice.of(Project.read(project.folder()));
         String other = " joins the same objects along or about another axis";
         assertEquals("{hinge=ring" + other + ", rail=its lower and its upper limit are both 2, "
-            + "ring2=a fixed joint holds the world and shelf together, second=rail" + other + ", stiff=its friction, 1.5, "
+            + "ring2=a fixed joint holds the world and shelf together, second=rail" + other
+            + ", stiff=its friction, 1.5, "
             + "is not below the force of its motor at standstill, 1}", new TreeMap<>(reasons).toString());
     }
 

@@ -90,6 +90,32 @@ public class JointsTest {
         }
     }
 
+    private static void step(BodyRun run, int count) {
+        for (int i = 0; i < count; i++) {
+            run.step();
+        }
+    }
+
+    /** Path of MuJoCo 4.0, Runge-Kutta at 0.1 ms: scripts/benchmark --joints=chain-5. */
+    @Test
+    public void aChainFallsAsInMuJoCo() throws Exception {
+        try (Stage stage = new Stage()) {
+            Box link = null;
+            for (int i = 0; i < 5; i++) {
+                Box next = new Box("link" + i, 0.1, 0.01, 0.01, 0.1, 0.1 * i + 0.05, 3, 0);
+                hinge("hinge" + i, link, next, 0.1 * i, 3).setDamping(0.001);
+                link = next;
+            }
+            BodyRun run = stage.start();
+            step(run, 30);
+            assertEquals(-0.393601, run.pose("link4").x, 4e-4);
+            assertEquals(2.782333, run.pose("link4").y, 4e-4);
+            step(run, 30);
+            assertEquals(0.020233, run.pose("link4").x, 4e-4);
+            assertEquals(2.567530, run.pose("link4").y, 4e-4);
+        }
+    }
+
     @Test
     public void aDoublePendulumKeepsItsEnergy() throws Exception {
         try (Stage stage = new Stage()) {

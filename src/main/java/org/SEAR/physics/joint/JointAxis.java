@@ -10,8 +10,8 @@ public final class JointAxis {
     /** Speed of approach below which a limit does not bounce, m/s or rad/s. */
     private static final double MIN_BOUNCE = 0.05;
     /**
-     * Largest angle squared by which a spring may swing in a substep, and share of its speed that a damper may take, for
-     * the mean of the forces before and after the substep. Beyond, the forces are those after it, which damps more.
+     * Largest angle squared by which a spring may swing in a substep, and share of its speed that a damper may take,
+     * for the mean of the forces before and after the substep. Beyond, the forces are those after it, which damps more.
      */
     private static final double SLOW_SPRING = 0.3;
     private static final double SLOW_DAMPER = 1;

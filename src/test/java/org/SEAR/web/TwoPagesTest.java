@@ -8,10 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Map;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
@@ -19,14 +16,10 @@ import org.openqa.selenium.WebElement;
  * Two pages build one project: each shows the other's changes, nothing is lost, and neither overwrites a change that it
  * has not shown.
  */
-public class TwoPagesTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class TwoPagesTest extends SearPage {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 1000;
 
-    @Rule
-    public final TestRule page = TABS.page("sear");
 
     /** One of the pages. */
     private static final class Page {
@@ -72,7 +65,7 @@ public class TwoPagesTest {
 
     @Test
     public void eachShowsTheOthersChangesAndNothingIsLost() throws Exception {
-        TABS.robotLab().run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate'})");
+        robotLab.run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate'})");
         Page one = new Page(TABS.browser());
         try (Browser second = new Browser(WIDTH, HEIGHT)) {
             TABS.open(second, "sear");

@@ -18,12 +18,10 @@ import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SEARrobot;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.data.ImageData;
 import org.myrobotlab.service.sear.SensorReading;
 
@@ -33,16 +31,13 @@ public class CameraCallsTest {
     private static final int HEIGHT = 48;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private SEAR sear;
     private Heard heard;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
-        System.setProperty("sear.project", temporary.getRoot().toPath().resolve("SEARproject").toString());
         new Floor("floor", 20, 20);
         Box red = new Box("red", 0.6, 0.2, 0.6, 0);
         red.setColor("red");
@@ -62,14 +57,6 @@ public class CameraCallsTest {
         heard = (Heard) Runtime.start("searStatus", "Heard");
         sear.startSimulation();
         sear.simSleep(1);
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("testSear");
-        Runtime.releaseService("searStatus");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private static void refuses(String expected, ThrowingRunnable call) {

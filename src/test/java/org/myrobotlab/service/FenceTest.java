@@ -6,11 +6,9 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.util.concurrent.TimeUnit;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
 import org.myrobotlab.service.lidar.RangeScan;
@@ -28,7 +26,7 @@ public class FenceTest {
         "seen = []", "");
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
     private Heard heard;
@@ -53,22 +51,11 @@ public class FenceTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("python", "Python");
         SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
         heard = (Heard) Runtime.start("fenceStatus", "Heard");
         sear.addListener("publishStatus", "fenceStatus", "onStatus");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"fenceLidar", "relay", "relay2", "sear", "python", "fenceStatus"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private void run(String... lines) {

@@ -24,11 +24,9 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -39,7 +37,7 @@ public class SearServiceTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Path folder;
     private SEAR sear;
@@ -47,21 +45,10 @@ public class SearServiceTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         folder = TestWorld.build(temporary.getRoot().toPath());
         sear = (SEAR) Runtime.start("testSear", "SEAR");
         heard = (Heard) Runtime.start("searStatus", "Heard");
         sear.addListener("publishStatus", "searStatus", "onStatus");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"testLidar", "testGps", "testSerial", "testSear", "searStatus"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private void assertFails(String message, Runnable call) throws InterruptedException {

@@ -13,20 +13,17 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.project.ProjectRule;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
-import org.junit.rules.TemporaryFolder;
 
 /** With two SEAR services in one MyRobotLab, the one with the running simulation reports warnings about new objects. */
 public class TwoSearServicesTest {
-    private static final List<String> SERVICES = Arrays.asList("firstSear", "secondSear");
     private static final String LATE = "was made while a simulation runs";
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
     private Heard first;
@@ -34,8 +31,6 @@ public class TwoSearServicesTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("twoPython", "Python");
         first = hearing("firstSear");
@@ -47,17 +42,6 @@ public class TwoSearServicesTest {
         Heard heard = (Heard) Runtime.start(name + "Heard", "Heard");
         sear.addListener("publishStatus", heard.getName(), "onStatus");
         return heard;
-    }
-
-    @After
-    public void release() {
-        for (String name : SERVICES) {
-            Runtime.releaseService(name);
-            Runtime.releaseService(name + "Heard");
-        }
-        Runtime.releaseService("twoPython");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     /**

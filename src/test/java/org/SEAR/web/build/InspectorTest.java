@@ -5,37 +5,25 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.List;
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /** Numbers typed in the inspector, and the palette's search and keys. */
-public class InspectorTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class InspectorTest extends SearPage {
     private static final String THINGS = String.join("\n", "from org.SEAR.POJOs import Box, Floor, Sphere",
         "Floor('floor', 10, 10)",
         "Box('box', 0.25, 0.25, 0.25).move(2, 0.125, 2)", "Sphere('ball', 0.1).move(0, 0.1, 2)",
         "leaning = Box('leaning', 0.25, 0.25, 0.25)", "leaning.move(-2, 0.125, 2)", "leaning.rotate(20, 0, 0)");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
 
     @Before
     public void beginWithThings() {
-        tab.stopAll();
-        TABS.robotLab().run("sear.newProject()");
+        robotLab.run("sear.newProject()");
         browser.until("an empty project",
             () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
-        TABS.robotLab().run(THINGS);
+        robotLab.run(THINGS);
         browser.until("the things", () -> tab.isTrue("world.shown().objects.length == 4"));
     }
 

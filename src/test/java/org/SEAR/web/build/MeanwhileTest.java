@@ -5,34 +5,24 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.Map;
-import org.SEAR.web.Browser;
+import org.SEAR.web.SearPage;
 import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /** Typing, dragging and keys while an edit of another page, the next edit of this page or no answer arrives. */
-public class MeanwhileTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class MeanwhileTest extends SearPage {
     private static final String CRATE = "(world.shown().objects | filter:{name: 'crate'})[0].pose";
 
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
 
     /** Selects a crate of 1 m in the middle of a map. */
     @Before
     public void selectACrate() {
-        TABS.robotLab().run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate',"
+        robotLab.run("sear.newProject()\nsear.edit({'do': 'add', 'type': 'Box', 'name': 'crate',"
             + " 'set': {'length': 1, 'width': 1, 'height': 1}})");
         browser.until("the crate", () -> tab.isTrue(
             "edits.grammar !== null && world.shown() && world.shown().objects.length == 1 && view.fitted"));
@@ -47,12 +37,12 @@ public class MeanwhileTest {
     }
 
     private void another(Object... edit) {
-        TABS.robotLab().call("sear", "edit", edit.length == 2 ? Map.of("do", edit[0], "object", edit[1])
+        robotLab.call("sear", "edit", edit.length == 2 ? Map.of("do", edit[0], "object", edit[1])
             : Map.of("do", edit[0], "object", edit[1], "set", Map.of(edit[2], edit[3])));
     }
 
     private Object written(String field) {
-        return TABS.robotLab().call("sear", "getProjectObject", "crate").get("values").get(field).asText();
+        return robotLab.call("sear", "getProjectObject", "crate").get("values").get(field).asText();
     }
 
     private WebElement type(String field, CharSequence... keys) {
@@ -140,7 +130,7 @@ public class MeanwhileTest {
         view.sendKeys(Keys.ARROW_UP, Keys.chord(Keys.CONTROL, "d"));
         browser.until("a copy", () -> tab.isTrue("world.shown().objects.length == 2"));
         assertEquals("0.05", written("x"));
-        assertEquals("0.05", TABS.robotLab().call("sear", "getProjectObject", "crate1").get("values")
+        assertEquals("0.05", robotLab.call("sear", "getProjectObject", "crate1").get("values")
             .get("x").asText());
         browser.scope(SearTab.ROOT, "edits.select('crate')");
         browser.until("the crate again", () -> tab.isTrue("edits.object && edits.object.object == 'crate'"));

@@ -4,32 +4,19 @@ package org.SEAR.web.build;
 import static org.junit.Assert.assertEquals;
 
 import java.util.List;
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.After;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /** A robot made from nothing by mouse: a chassis, wheels beside it and motors for them. It stands and drives. */
-public class OwnRobotTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
-
+public class OwnRobotTest extends SearPage {
     @Before
     public void beginWithAnEmptyGround() {
-        tab.stopAll();
-        TABS.robotLab().run("sear.newProject()");
+        robotLab.run("sear.newProject()");
         browser.until("an empty project",
             () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
         browser.click("[data-tile='build']");

@@ -10,20 +10,11 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.SEAR.web.Browser;
-import org.SEAR.web.MyRobotLab;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
-import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
+import org.SEAR.web.SearPage;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 
 /** The SEAR tab without a run: the project from above, in its starting state. */
-public class PreviewTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
+public class PreviewTest extends SearPage {
     private static final long BOX = 0xc49a6cffL;
     private static final long TEAL = 0x008080ffL;
     private static final long PLANT = 0x6b8e23ffL;
@@ -32,16 +23,6 @@ public class PreviewTest {
     private static final String SPY = "window.asks = 0; window.seconds = 0; setInterval(function() { "
         + "window.seconds++ }, 1000);var send = WebSocket.prototype.send; WebSocket.prototype.send = function(text) {"
         + "if (text.indexOf('getPreview') >= 0) { window.asks++ } send.call(this, text) }";
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final MyRobotLab robotLab = TABS.robotLab();
-    private final SearTab tab = new SearTab(TABS);
-
-    @Before
-    public void stopped() {
-        tab.stopAll();
-    }
 
     private void open(String example, String robot) {
         tab.openExample(example);

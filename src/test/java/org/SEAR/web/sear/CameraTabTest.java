@@ -8,21 +8,14 @@ import static org.junit.Assert.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Locale;
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.After;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /** Camera pictures in the SEAR tab, live and in records: values at a click, and no requests for hidden pictures. */
-public class CameraTabTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class CameraTabTest extends SearPage {
     private static final int WIDTH = 64;
     private static final int HEIGHT = 48;
     /** Longer side of a picture over the view, pixels. */
@@ -50,10 +43,6 @@ public class CameraTabTest {
         + "function(method, name) {"
         + " if (/Picture$/.test(method)) { window.asked.push(name) } return send.apply(msg, arguments) }";
 
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
 
     @After
     public void stop() {
@@ -61,7 +50,7 @@ public class CameraTabTest {
     }
 
     private void see() {
-        TABS.robotLab().run(WORLD);
+        robotLab.run(WORLD);
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().sensors.length === 4"));
         browser.script(COUNT);
     }
@@ -102,7 +91,7 @@ public class CameraTabTest {
         tab.start();
         waitForPicture("depth");
         click("depth", 0.51, 0.51);
-        JsonNode depths = TABS.robotLab().call("sear", "getDepth", "depth");
+        JsonNode depths = robotLab.call("sear", "getDepth", "depth");
         double straight = depths.get(HEIGHT / 2 * WIDTH + WIDTH / 2).asDouble();
         assertEquals("the stove", 1.4, straight, 0.01);
         browser.seeText(eye("depth") + ".sear-eye-words",
@@ -206,7 +195,7 @@ public class CameraTabTest {
 
     @Test
     public void aRecordWithPicturesShowsThemAtTheirTime() {
-        TABS.robotLab().run(WORLD + "\n" + String.join("\n",
+        robotLab.run(WORLD + "\n" + String.join("\n",
             "sear.setLockStep(True)",
             "sear.recordRun('seen', 100, 5)",
             "sear.startSimulation()",

@@ -8,28 +8,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
-import org.SEAR.web.Browser;
-import org.SEAR.web.MyRobotLab;
 import org.SEAR.web.PythonTab;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.BeforeClass;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 
 /** Both tabs offer the driving examples by a click. */
-public class DrivingExamplesInTheTabsTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final MyRobotLab robotLab = TABS.robotLab();
-    private final SearTab tab = new SearTab(TABS);
-
+public class DrivingExamplesInTheTabsTest extends SearPage {
     /** Examples of the working folder appear beside those in the jar. */
     @BeforeClass
     public static void bringExamples() throws IOException {

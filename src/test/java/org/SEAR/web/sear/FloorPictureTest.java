@@ -7,34 +7,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
-import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
+import org.SEAR.web.SearPage;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 
 /** The map shows the picture of a floor in the same orientation as the view in space. */
-public class FloorPictureTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class FloorPictureTest extends SearPage {
     private static final int HALF = 64;
     private static final int RED = 0xd00000;
     private static final int GREEN = 0x00d000;
     private static final int BLUE = 0x0000d0;
     private static final int YELLOW = 0xd0d000;
     private static final int TOLERANCE = 40;
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
-
-    @Before
-    public void stopped() {
-        tab.stopAll();
-    }
 
     /** Writes a picture: red and green above, blue and yellow below. */
     private static void paint(Path file) throws IOException {
@@ -50,10 +33,10 @@ public class FloorPictureTest {
     }
 
     private void floor(String... more) throws IOException {
-        TABS.robotLab().run("from org.SEAR.POJOs import Floor\nsear.newProject()");
+        robotLab.run("from org.SEAR.POJOs import Floor\nsear.newProject()");
         browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty()"));
-        paint(TABS.robotLab().file("SEARproject/assets/textures/quarters.png"));
-        TABS.robotLab().run("floor = Floor('floor', 4, 2, 'textures/quarters.png')\n" + String.join("\n", more));
+        paint(robotLab.file("SEARproject/assets/textures/quarters.png"));
+        robotLab.run("floor = Floor('floor', 4, 2, 'textures/quarters.png')\n" + String.join("\n", more));
         browser.until("the floor", () ->
             tab.isTrue("world.shown() && world.shown().objects.length == 1 && view.fitted"));
     }

@@ -4,20 +4,13 @@ package org.SEAR.web.sear;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import org.SEAR.web.Browser;
-import org.SEAR.web.MyRobotLab;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
-import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
+import org.SEAR.web.SearPage;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.interactions.Actions;
 
 /** Held keys steer robots with steered wheels, directly or through their servo. Without steering the page says so. */
-public class HeldKeysTest {
+public class HeldKeysTest extends SearPage {
     private static final String ROBOT = "world.running.robots[0].";
     /** The page's messages about steering and the service's about circles that it can't drive. */
     private static final String SAID_ONES = "(messages.list | filter:{text: 'steer'})";
@@ -42,18 +35,6 @@ public class HeldKeysTest {
         "for number, (x, z) in enumerate(((0.1, -0.15), (-0.1, -0.15), (0, 0.15))): wheel('caster%d' % "
             + "number, 0, x, z)", "");
 
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final MyRobotLab robotLab = TABS.robotLab();
-    private final SearTab tab = new SearTab(TABS);
-
-    @Before
-    public void stopped() {
-        tab.stopAll();
-    }
 
     private void begin(String script, String robot) {
         robotLab.run(script);

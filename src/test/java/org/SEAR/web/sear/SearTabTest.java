@@ -10,34 +10,16 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
-import org.SEAR.web.Browser;
-import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearPage;
 import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
-import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /** The SEAR tab while a world runs: view, driving, run control, tables. */
-public class SearTabTest {
+public class SearTabTest extends SearPage {
     private static final long BALL = 0x9b6fb0ffL;
-    @ClassRule
-    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final MyRobotLab robotLab = TABS.robotLab();
-    private final SearTab tab = new SearTab(TABS);
-
-    @Before
-    public void stopped() {
-        tab.stopAll();
-    }
 
     private double[] pose(String name) {
         JsonNode pose = robotLab.call("sear", "getPose", name);

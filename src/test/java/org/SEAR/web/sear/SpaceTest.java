@@ -11,15 +11,11 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import org.SEAR.web.Browser;
+import org.SEAR.web.SearPage;
 import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
 import org.junit.After;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
@@ -27,9 +23,7 @@ import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /** The view in space of the SEAR tab: objects, places and looks. */
-public class SpaceTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+public class SpaceTest extends SearPage {
     private static final String WORLD = String.join("\n",
         "from org.SEAR.POJOs import Box, Bumper, Cylinder, Distance, Floor, Led, LIDAR, Robots, Servo, Sphere",
         "sear.newProject()",
@@ -52,15 +46,11 @@ public class SpaceTest {
         "robot.addComponent(lamp)",
         "robot.addComponent(neck)");
 
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
 
     @Before
     public void showTheWorld() {
         browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
-        TABS.robotLab().run(WORLD);
+        robotLab.run(WORLD);
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-space");
         browser.until("all of it", () -> Boolean.TRUE.equals(
@@ -72,8 +62,8 @@ public class SpaceTest {
 
     @After
     public void stop() {
-        if (TABS.robotLab().call("sear", "isSimulating").asBoolean()) {
-            TABS.robotLab().call("sear", "stopSimulation");
+        if (robotLab.call("sear", "isSimulating").asBoolean()) {
+            robotLab.call("sear", "stopSimulation");
         }
     }
 
@@ -151,12 +141,12 @@ public class SpaceTest {
         assertEquals("dark", 0.2, ((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g"))
             .doubleValue(), 1e-6);
         tab.start();
-        TABS.robotLab().run("sear.setLed('lamp', 0.5)");
+        robotLab.run("sear.setLed('lamp', 0.5)");
         browser.seeText("[data-led=lamp]", "lamp: 50 %");
         browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g"))
             .doubleValue() - 0.6) < 1e-6);
         assertEquals(0.2, ((Number) inScene("scene.robots[0].lights[0].holder.position.y")).doubleValue(), 1e-6);
-        TABS.robotLab().run("sear.setServo('neck', 90)");
+        robotLab.run("sear.setServo('neck', 90)");
         browser.until("turned to the left",
             () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue()
                 - 0.1) < 1e-3);
@@ -187,7 +177,7 @@ public class SpaceTest {
 
     @Test
     public void fitShowsHighAndNearObjectsWhole() {
-        TABS.robotLab().run("from org.SEAR.POJOs import Box\nBox('tower', 0.5, 0.5, 4).move(-2, 2, -2)");
+        robotLab.run("from org.SEAR.POJOs import Box\nBox('tower', 0.5, 0.5, 4).move(-2, 2, -2)");
         browser.until("the tower", () -> tab.isTrue("(world.shown().objects | filter:{name: 'tower'}).length == 1"));
         browser.click(".sear-fit");
         Dimension size = browser.see(".sear-scene").getSize();
@@ -270,7 +260,7 @@ public class SpaceTest {
     /** Pictures and shadows are counted, not timed, while the service sends unchanged states. */
     @Test
     public void restingScenesAreDrawnOnceAndShadowsOnlyAfterMoves() {
-        TABS.robotLab().call("sear", "startSimulation");
+        robotLab.call("sear", "startSimulation");
         browser.until("the running world", () -> told() > 2);
         browser.until("no more pictures of a world at rest, while its time goes on", () -> {
             double pictures = number("scene.pictures");
@@ -283,7 +273,7 @@ public class SpaceTest {
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.drag(40, 0, false)");
         browser.until("a picture from another side", () -> number("scene.pictures") > pictures);
         assertEquals("with the same shadows", shadings, number("scene.shadings"), 0);
-        TABS.robotLab().run("sear.driveStraight(0.2)");
+        robotLab.run("sear.driveStraight(0.2)");
         browser.until("pictures of what moves, with its shadow", () -> number("scene.shadings") > shadings + 5);
     }
 

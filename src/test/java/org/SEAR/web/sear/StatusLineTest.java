@@ -6,33 +6,20 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.nio.file.Files;
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /** The SEAR tab's messages hold for the present state only. */
-public class StatusLineTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
-
+public class StatusLineTest extends SearPage {
     @Before
     public void beginWithABox() {
-        tab.stopAll();
-        TABS.robotLab().run("sear.newProject()");
+        robotLab.run("sear.newProject()");
         browser.until("an empty project",
             () -> tab.isTrue("world.shown() && world.shown().objects.length == 0 && edits.grammar !== null"));
-        TABS.robotLab().run("from org.SEAR.POJOs import Box\nBox('crate', 1, 1, 1)");
+        robotLab.run("from org.SEAR.POJOs import Box\nBox('crate', 1, 1, 1)");
         browser.until("the crate", () -> tab.isTrue("world.shown().objects.length == 1"));
     }
 
@@ -55,7 +42,7 @@ public class StatusLineTest {
         type(".sear-path", ".sear");
         browser.click(".sear-save");
         browser.seeText(".sear-last", "the path \".sear\" names no file");
-        assertFalse(Files.exists(TABS.robotLab().file(".sear")));
+        assertFalse(Files.exists(robotLab.file(".sear")));
         type(".sear-path", "y".repeat(300));        // longer than a file name can be
         browser.click(".sear-save");
         browser.seeText(".sear-last", "yyy.sear can't be saved");
@@ -89,11 +76,11 @@ public class StatusLineTest {
     @Test
     public void anErrorIsOverWithTheNextEditOrStart() {
         selectTheCrate();
-        TABS.robotLab().call("sear", "error", "an old error");
+        robotLab.call("sear", "error", "an old error");
         browser.seeText(".sear-last", "an old error");
         type("[data-field='height'] .form-control", "2");
         browser.until("no old error", () -> browser.text(".sear-last").isEmpty());
-        TABS.robotLab().call("sear", "error", "an old error");
+        robotLab.call("sear", "error", "an old error");
         browser.seeText(".sear-last", "an old error");
         tab.start();
         browser.until("no old error in a run", () -> !browser.text(".sear-last").contains("old"));
@@ -103,11 +90,11 @@ public class StatusLineTest {
 
     @Test
     public void theDrawerOfMessagesCountsOnlyUnseenOnes() {
-        TABS.robotLab().call("sear", "warn", "one");
+        robotLab.call("sear", "warn", "one");
         browser.seeText(".sear-log", "one");
         assertEquals("it is open", 0, browser.all(".sear-fold-messages .sear-count").size());
         browser.click(".sear-fold-messages");
-        TABS.robotLab().call("sear", "warn", "two");
+        robotLab.call("sear", "warn", "two");
         browser.until("a count", () -> browser.texts(".sear-fold-messages .sear-count").contains("1"));
         browser.click(".sear-fold-messages");
         browser.until("no count", () -> browser.all(".sear-fold-messages .sear-count").isEmpty());

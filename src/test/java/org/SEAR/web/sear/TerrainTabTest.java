@@ -7,38 +7,24 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.SEAR.web.Browser;
-import org.SEAR.web.MyRobotLab;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /**
  * A terrain in the SEAR tab: map, contour lines, elevation and place under the pointer, with and without a simulation.
  */
-public class TerrainTabTest {
+public class TerrainTabTest extends SearPage {
     private static final String WORLD = "from org.SEAR.POJOs import Box, Terrain\nsear.newProject()\n"
         + "Terrain('land', 'terrain/jacksboro.tif').setArea(36.485, -84.2308, 2000, 2000)\nBox('box', 40, 40, 20, "
         + "0).placeAt(-500, 500)\n";
     private static final Pattern POINTED =
         Pattern.compile("here (-?[\\d.]+) m, (-?[\\d.]+) m above the geoid at (-?[\\d.]+)°, (-?[\\d.]+)°");
-    @ClassRule
-    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final MyRobotLab robotLab = TABS.robotLab();
-    private final SearTab tab = new SearTab(TABS);
 
     @Before
     public void world() {
-        tab.stopAll();
         robotLab.run(WORLD);
         browser.until("the ground",
             () -> tab.isTrue("ground.terrain !== null && ground.terrain.picture.complete && "

@@ -4,31 +4,19 @@ package org.SEAR.web.sear;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import org.SEAR.web.Browser;
-import org.SEAR.web.SearTab;
-import org.SEAR.web.Tabs;
+import org.SEAR.web.SearPage;
 import org.junit.After;
 import org.junit.Before;
-import org.junit.ClassRule;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
 /** The tour leads from an empty page to a driving robot and advances when a step is done. */
-public class TourTest {
-    @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    @Rule
-    public final TestRule page = TABS.page("sear");
-    private final Browser browser = TABS.browser();
-    private final SearTab tab = new SearTab(TABS);
-
+public class TourTest extends SearPage {
     @Before
     public void beginAsAStranger() {
-        TABS.robotLab().run("sear.newProject()");
+        robotLab.run("sear.newProject()");
         browser.script("localStorage.removeItem('sear.folds')");
         TABS.open("sear");
         browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty()"));

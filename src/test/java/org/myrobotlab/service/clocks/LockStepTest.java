@@ -14,17 +14,16 @@ import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicReference;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.FarEnd;
 import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** In lock-step a script gives the same bytes on every port each time, whatever the load of the machine. */
@@ -58,25 +57,14 @@ public class LockStepTest {
     private static final long PAUSE = 600;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("python", "Python");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"lockLidar", "roombaLine", "sear", "python"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     /** Runs the script and returns its observations and the robot's final position. */

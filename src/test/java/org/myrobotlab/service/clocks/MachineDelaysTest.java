@@ -9,14 +9,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** In lock-step random delays of the computer between calls, and within callbacks, change no byte. */
@@ -66,25 +65,14 @@ public class MachineDelaysTest {
         "result = '\\n'.join(seen)");
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("python", "Python");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"delayedLidar", "delayedLine", "sear", "python"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     /** @param seed of the delays; 0 for none */

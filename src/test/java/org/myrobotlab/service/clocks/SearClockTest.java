@@ -6,40 +6,31 @@ import static org.junit.Assert.assertTrue;
 
 import org.SEAR.ProcessorTime;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** The SEAR service and the clock. Tests check bounds that hold on a busy machine. */
 @Category(Slow.class)
 public class SearClockTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private SEAR sear;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
         TestWorld.build(temporary.getRoot().toPath());
     }
 
     private void start(String speed) {
         System.setProperty("sear.speed", speed);
         sear = (SEAR) Runtime.start("testSear", "SEAR");
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("testSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     @Test

@@ -14,15 +14,14 @@ import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.PortListener;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 
 /**
  * In lock-step MrlComm acknowledges while the script's thread, which alone advances time, waits for the
@@ -34,7 +33,7 @@ public class AckTest {
     private static final int COMMANDS = 60;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
     private SEAR sear;
     private Serial serial;
     private Listener listener;
@@ -61,22 +60,12 @@ public class AckTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
-        System.setProperty("sear.project", temporary.getRoot().toPath().resolve("SEARproject").toString());
         new Floor("floor", 20, 20);
         SEARrobot robot = Robots.create2("rover");
         Arduino uno = new Arduino("uno");
         uno.setPorts("/dev/my_UNO_01", PORT);
         robot.addComponent(uno);
         sear = (SEAR) Runtime.start("ackSear", "SEAR");
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("ackSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private void begin() {

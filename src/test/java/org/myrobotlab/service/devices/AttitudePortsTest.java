@@ -18,15 +18,14 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 
 /** A compass and an inertial measurement unit at their ports on a rotated robot, as used by services and programs. */
 public class AttitudePortsTest {
@@ -35,14 +34,11 @@ public class AttitudePortsTest {
     private static final int TRIES = 200;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
     private SEAR sear;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
-        System.setProperty("sear.project", temporary.getRoot().toPath().resolve("SEARproject").toString());
         new Floor("floor", 20, 20);
         SEARrobot robot = Robots.create2("create");
         robot.rotate(0, 33, 0);
@@ -54,13 +50,6 @@ public class AttitudePortsTest {
         sear = (SEAR) Runtime.start("testSear", "SEAR");
         sear.startSimulation();
         sear.simSleep(1);
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("testSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     /** Request and decoding are those of Listing 9; MyRobotLab's publishByte is now called publishRX. */

@@ -16,16 +16,15 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 
 /**
  * A network scanner at its exported TCP port: ranges, a stream, and the state after a program that ends without notice.
@@ -36,14 +35,12 @@ public class ColaPortTest {
     private static final int FIRST_VALUE = 26;
 
     @Rule
-    public TemporaryFolder folder = new TemporaryFolder();
+    public final ServiceFolder folder = new ServiceFolder();
     private SEAR sear;
     private int port;
 
     @Before
     public void start() throws IOException {
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
         System.setProperty("sear.speed", "1");
         new Floor("floor", 20, 20);
         new Box("ahead", 6, 0.2, 1, 0).move(0, 0.5, 3);
@@ -61,15 +58,6 @@ public class ColaPortTest {
         sear.startSimulation();
         port = sear.exportTcp("/dev/SEAR_LIDAR_01", 0);
         sear.simSleep(1);
-    }
-
-    @After
-    public void stop() {
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
-        System.clearProperty("sear.speed");
     }
 
     private static void send(Socket socket, String telegram) throws IOException {

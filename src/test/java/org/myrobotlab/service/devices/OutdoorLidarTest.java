@@ -11,12 +11,11 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
-import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 
 /** The LIDAR service reads each model that it supports, in a world with a wall that only outdoor scanners see. */
 public class OutdoorLidarTest {
@@ -24,13 +23,10 @@ public class OutdoorLidarTest {
     private static final double WALL = 50;
 
     @Rule
-    public TemporaryFolder folder = new TemporaryFolder();
+    public final ServiceFolder folder = new ServiceFolder();
     private SEAR sear;
 
     private org.myrobotlab.service.LIDAR connect(String model) throws Exception {
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         new Floor("floor", 20, 20);
         new Box("wall", 200, 1, 10, 0).move(0, 0, WALL + 0.5);
         new Box("post", 0.2, 0.2, 1, 0).move(-5, 0.5, 0);
@@ -52,16 +48,6 @@ public class OutdoorLidarTest {
         lidar.setModel(model);
         lidar.connect(PORT);
         return lidar;
-    }
-
-    @After
-    public void stop() {
-        Runtime.releaseService("reader");
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
-        System.clearProperty("sear.speed");
     }
 
     @Test

@@ -10,12 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.LIDAR;
 import org.myrobotlab.service.PortListener;
@@ -23,6 +21,7 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /**
@@ -32,7 +31,7 @@ import org.myrobotlab.service.TestWorld;
 @Category(Slow.class)
 public class PatienceTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
     private SEAR sear;
@@ -67,23 +66,12 @@ public class PatienceTest {
 
     @Before
     public void start() throws Exception {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("python", "Python");
         sear = (SEAR) Runtime.start("patientSear", "SEAR");
         heard = (Heard) Runtime.start("patienceStatus", "Heard");
         sear.addListener("publishStatus", "patienceStatus", "onStatus");
         lidar = (LIDAR) Runtime.start("patienceLidar", "LIDAR");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"patienceLidar", "starved", "patientSear", "python", "patienceStatus"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private void connect() throws Exception {

@@ -18,7 +18,6 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.FarEnd;
 import org.myrobotlab.service.GPS;
 import org.myrobotlab.service.Heard;
@@ -26,6 +25,7 @@ import org.myrobotlab.service.LIDAR;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /**
@@ -38,7 +38,7 @@ public class ReconnectTest {
     private static final long PATIENCE = 60_000_000_000L;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private SEAR sear;
     private LIDAR lidar;
@@ -47,8 +47,6 @@ public class ReconnectTest {
 
     @Before
     public void start() throws Exception {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         heard = (Heard) Runtime.start("backStatus", "Heard");
         sear = (SEAR) Runtime.start("backSear", "SEAR");
@@ -62,21 +60,7 @@ public class ReconnectTest {
 
     @After
     public void release() throws Exception {
-        for (String name : new String[] {"backLidar", "backGps", "backSerial", "backSear", "backStatus"}) {
-            Runtime.releaseService(name);
-        }
-        Runtime.setConfig("default");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
-        Path folder = Paths.get(Runtime.ROOT_CONFIG_DIR, SET);
-        if (Files.isDirectory(folder)) {
-            try (Stream<Path> files = Files.list(folder)) {
-                for (Path file : (Iterable<Path>) files::iterator) {
-                    Files.delete(file);
-                }
-            }
-            Files.delete(folder);
-        }
+        ServiceFolder.forgetConfig(SET);
     }
 
     private void start(boolean lockStep) {

@@ -15,20 +15,19 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** Power switches of devices, and exports of their ports, through the SEAR service on a small world in lock-step. */
 public class SearDevicesTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Path folder;
     private SEAR sear;
@@ -36,20 +35,10 @@ public class SearDevicesTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         folder = TestWorld.build(temporary.getRoot().toPath());
         sear = (SEAR) Runtime.start("testSear", "SEAR");
         heard = (Heard) Runtime.start("searStatus", "Heard");
         sear.addListener("publishStatus", "searStatus", "onStatus");
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("testSear");
-        Runtime.releaseService("searStatus");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private static void assertFails(String message, Runnable call) {

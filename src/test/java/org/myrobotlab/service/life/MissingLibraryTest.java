@@ -11,31 +11,22 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** An error status names a missing library and the remedy; the service continues. */
 @Category(Slow.class)
 public class MissingLibraryTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     @Before
     public void project() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
-    }
-
-    @After
-    public void forget() {
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     /** Runs the probe on the program's class path without the jars whose names have this beginning. */

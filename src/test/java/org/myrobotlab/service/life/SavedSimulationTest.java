@@ -16,10 +16,10 @@ import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.LIDAR;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.config.RuntimeConfig;
 
@@ -29,30 +29,16 @@ public class SavedSimulationTest {
     private static final String UART = "scanner_LIDARsimulator_Serial_Service";
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
     }
 
     @After
     public void release() throws Exception {
-        for (String name : new String[] {"savedLidar", "savedSear", UART}) {
-            Runtime.releaseService(name);
-        }
-        Runtime.setConfig("default");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
-        Path folder = Paths.get(Runtime.ROOT_CONFIG_DIR, SET);
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : (Iterable<Path>) files::iterator) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
+        ServiceFolder.forgetConfig(SET);
     }
 
     private static void saveAndReleaseAndLoad() {

@@ -11,13 +11,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Box;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** Velocities and pushes by calls and by objects of a script, in lock-step. */
@@ -25,7 +24,7 @@ public class BodyCallsTest {
     private static final double G = 9.81;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Path file;
     private Box crate;
@@ -33,20 +32,11 @@ public class BodyCallsTest {
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         Path folder = TestWorld.build(temporary.getRoot().toPath());
         crate = new Box("crate", 0.2, 0.2, 0.2, 2);
         crate.move(5, 0.1, -5);
         file = folder.resolve("environment/crate.xml");
         sear = (SEAR) Runtime.start("bodySear", "SEAR");
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("bodySear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     @Test

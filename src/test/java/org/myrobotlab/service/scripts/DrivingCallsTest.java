@@ -9,15 +9,14 @@ import static org.junit.Assert.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.FarEnd;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** The driving calls and the calls for any sensor, on a small world in lock-step. */
@@ -26,27 +25,17 @@ public class DrivingCallsTest {
     private static final double HALF_TRACK = 0.129;
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Path folder;
     private SEAR sear;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         folder = TestWorld.build(temporary.getRoot().toPath());
         sear = (SEAR) Runtime.start("drivingSear", "SEAR");
         sear.startSimulation();
         sear.simSleep(1);
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("drivingSerial");
-        Runtime.releaseService("drivingSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     private static double wrapped(double degrees) {

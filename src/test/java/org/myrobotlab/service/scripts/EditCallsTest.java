@@ -12,37 +12,27 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.project.problems.Problem;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 import org.myrobotlab.service.sear.files.Edits;
 
 /** Calls that edit a project, with and without a running simulation. */
 public class EditCallsTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Path folder;
     private SEAR sear;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         folder = TestWorld.build(temporary.getRoot().toPath());
         sear = (SEAR) Runtime.start("editSear", "SEAR");
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("editSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     @Test

@@ -4,15 +4,14 @@ package org.myrobotlab.service.scripts;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** When a script starts its own world, one line names the project's objects that it did not make. */
@@ -23,29 +22,18 @@ public class OthersObjectsTest {
         + "\"roomba\" (from";
 
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private Python python;
     private Heard heard;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         python = (Python) Runtime.start("othersPython", "Python");
         SEAR sear = (SEAR) Runtime.start("othersSear", "SEAR");
         heard = (Heard) Runtime.start("othersHeard", "Heard");
         sear.addListener("publishStatus", "othersHeard", "onStatus");
-    }
-
-    @After
-    public void release() {
-        for (String name : new String[] {"othersSear", "othersPython", "othersHeard"}) {
-            Runtime.releaseService(name);
-        }
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     @Test

@@ -11,41 +11,29 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.ServiceFolder;
 import org.myrobotlab.service.TestWorld;
 
 /** Recording a run by calls in lock-step, and reading the record. */
 public class RecordCallsTest {
     @Rule
-    public final TemporaryFolder temporary = new TemporaryFolder();
+    public final ServiceFolder temporary = new ServiceFolder();
 
     private SEAR sear;
     private String record;
 
     @Before
     public void start() {
-        System.setProperty("sear.headless", "true");
-        System.setProperty("sear.speed", "max");
         TestWorld.build(temporary.getRoot().toPath());
         sear = (SEAR) Runtime.start("recordSear", "SEAR");
         record = temporary.getRoot().toPath().resolve("run").toString();
-    }
-
-    @After
-    public void release() {
-        Runtime.releaseService("recordSerial");
-        Runtime.releaseService("recordStatus");
-        Runtime.releaseService("recordSear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.speed");
     }
 
     @Test

@@ -247,6 +247,14 @@ final class ContactRows {
         gone += seconds;
     }
 
+    /** Passes the impulses of a slot with one point on to another one. */
+    void passOn(int from, int to) {
+        data[to * SIZE + SECONDS] = data[from * SIZE + SECONDS];
+        data[impulseAt(to, 0)] += data[impulseAt(from, 0)];
+        data[impulseAt(from, 0)] = 0;
+        FrictionRows.passOn(data, from * SIZE + PATCH, to * SIZE + PATCH);
+    }
+
     /** Updates the gaps of a slot. */
     void measure(int slot) {
         double[] p = movedA[slot];

@@ -180,6 +180,22 @@ final class FrictionRows {
         into.rollZ = r[at + ROLL + 2];
     }
 
+    /** Passes the impulses of a contact on to another one with a similar normal. */
+    static void passOn(double[] r, int from, int to) {
+        for (int row = from; row <= from + SECOND; row += SECOND) {
+            double impulse = r[row + PairRow.IMPULSE];
+            r[to + PairRow.IMPULSE] += impulse * PairRow.dot(r, row, to);
+            r[to + SECOND + PairRow.IMPULSE] += impulse * PairRow.dot(r, row, to + SECOND);
+            r[row + PairRow.IMPULSE] = 0;
+        }
+        r[to + TURNED] += r[from + TURNED];
+        r[from + TURNED] = 0;
+        for (int i = 0; i < 3; i++) {
+            r[to + ROLL + i] += r[from + ROLL + i];
+            r[from + ROLL + i] = 0;
+        }
+    }
+
     /** Whether any friction impulse is stored. */
     static boolean holds(double[] r, int at) {
         return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0

@@ -38,7 +38,7 @@ final class IslandSolver {
     private static final double MAX_TURN_ALONE = 0.03;
     /** Largest rotation of a body with a joint per substep, radians. */
     private static final double MAX_TURN_JOINTED = 0.05;
-    /** Largest island, in bodies, with extra substeps for fast rotation and with a small residual. */
+    /** Largest island, in bodies, with extra substeps for rotation and edges of meshes, and with a small residual. */
     private static final int FEW = 4;
     /**
      * Limit of points, and of the cost of searches, times substeps. Above it there are fewer substeps, but at least
@@ -96,6 +96,7 @@ final class IslandSolver {
     private final ConjugateDirection directions = new ConjugateDirection();
     private final StackOrder stackOrder = new StackOrder();
     private final Impacts impacts = new Impacts();
+    private final SmoothEdges edges = new SmoothEdges();
     private final double gravity;
     /** Whether the island is one body without wheels that does not roll: impulses need not spread. */
     private boolean alone;
@@ -160,6 +161,7 @@ final class IslandSolver {
         }
         double left = seconds;
         impacts.begin();
+        edges.begin();
         boolean first = true;
         while (left > REST * substep) {
             double next = Math.min(substep, left);
@@ -332,10 +334,11 @@ final class IslandSolver {
 
     /**
      * @param seconds longest length
-     * @return actual length, seconds: the substep ends at an impact with restitution
+     * @return actual length, seconds: the substep ends at an impact with restitution and at an edge of a mesh
      */
     private double substep(double seconds) {
-        double taken = impacts.next(rows, seconds, gravity);
+        double untilEdge = edges.next(ofMeshes, rows, seconds, bodies.size() <= FEW);
+        double taken = impacts.next(rows, untilEdge, gravity);
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().fall(taken, gravity);
             bodies.get(i).getSolver().gyrate();

@@ -168,6 +168,9 @@ final class PairContacts {
         apart = Double.POSITIVE_INFINITY;
         reach = Math.max(margin, MARGIN + speed * (ahead + next));
         near = finder.find(this, a, b, margin, reach);
+        if (a.isBall() && b.isMesh() && count > 0 && countBefore > 0) {
+            SmoothEdges.follow(before, countBefore, now, count, finder.stepGain() / finder.stepSeconds());
+        }
         clear = finder.getClear();
         fromX = a.getSolver().place.x - b.getSolver().place.x;
         fromY = a.getSolver().place.y - b.getSolver().place.y;
@@ -197,6 +200,11 @@ final class PairContacts {
                 rows.drop(slots[i]);
             }
         }
+    }
+
+    /** Turns the velocities of a ball at edges of a mesh; see {@link SmoothEdges#turn}. */
+    double turnAtEdges(ContactRows rows, double seconds, boolean exact) {
+        return a.isBall() && a.isSolved() ? SmoothEdges.turn(rows, slots, count, seconds, exact) : seconds;
     }
 
     /** Takes over the impulses from the rows. */
@@ -396,5 +404,4 @@ final class PairContacts {
             now[i].settle();
         }
     }
-
 }

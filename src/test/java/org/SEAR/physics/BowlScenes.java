@@ -25,18 +25,13 @@ final class BowlScenes {
     /** Radius of bowls and domes, metres. */
     private static final double CURVATURE = 1;
     private static final double BALL = 0.1;
-    /** Closed forms of smooth surfaces hold to this share; cells of 50 mm deviate by more. */
+    /** Half of a bowl's length, metres. */
+    private static final double LENGTH = 0.2;
+    /** Closed forms hold to this share. */
     private static final double SHARE = 5e-3;
-    private static final double COARSE = 0.03;
-    private static final double SHARE_COARSE = 0.011;
-    /**
-     * Largest loss of energy per period of a swing and on the path over a dome: shares of the energy. A ball loses 0.71
-     * of the squared angle at each edge of a bowl: 0.2 % of a swing's energy per period with cells of 10 mm, 1.3 % with
-     * 50 mm.
-     */
-    private static final double LOSS_IN_BOWL = 0.01;
-    private static final double LOSS_IN_COARSE_BOWL = 0.02;
-    private static final double LOSS_ON_DOME = 0.006;
+    /** Largest loss of energy per period of a swing, and on the path over a dome, as shares of the energy. */
+    private static final double LOSS_IN_BOWL = 3e-3;
+    private static final double LOSS_ON_DOME = 5.5e-3;
 
     private BowlScenes() {
     }
@@ -87,10 +82,6 @@ final class BowlScenes {
         return Math.sqrt(CURVATURE * CURVATURE - x * x - z * z);
     }
 
-    private static double share(double cell) {
-        return cell > COARSE ? SHARE_COARSE : SHARE;
-    }
-
     private static Sphere ball() {
         Sphere ball = new Sphere("ball", BALL, 1);
         ball.setFriction(1);
@@ -111,7 +102,7 @@ final class BowlScenes {
      */
     static void bowl(double cell, double degrees, double seconds, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
-            mesh(stage, 0.2, 0.06, cell, (x, z) -> -sphere(x, z));
+            mesh(stage, LENGTH, Math.max(0.006, cell), cell, (x, z) -> -sphere(x, z));
             double radius = CURVATURE - BALL;
             double start = Math.toRadians(degrees);
             // the start is off the mesh's symmetry axis
@@ -125,6 +116,7 @@ final class BowlScenes {
             int crossings = 0;
             double off = 0;
             double swing = G * radius * (1 - Math.cos(start));
+            double lowest = 0;
             // the flat cells are up to 0.3 mm beside the bowl: the start moves the ball onto them
             run.run(0.25);
             double whole = energy(run);
@@ -134,6 +126,7 @@ final class BowlScenes {
                 run.step();
                 Pose at = run.pose("ball");
                 off = Math.max(off, Math.abs(Math.sqrt(at.x * at.x + at.y * at.y + at.z * at.z) - radius));
+                lowest = Math.min(lowest, at.y);
                 double change = (energy(run) - whole) / swing;
                 gain = Math.max(gain, change);
                 loss = Math.min(loss, change);
@@ -145,20 +138,61 @@ final class BowlScenes {
             }
             double period = 2 * (last - first) / (crossings - 1);
             into.in("ball in a bowl of cells of " + cell + " m");
-            into.within("period, s", 2 * Math.PI * Math.sqrt(7 * radius / (5 * G)) * (1 + start * start / 16),
-                share(cell), period);
+            into.within("period, s", period(cell, whole / G - lowest), SHARE, period);
             into.atMost("largest deviation from the surface, m", 1e-3, off);
-            into.atMost("gain of energy, share of the swing's", share(cell), gain);
-            into.atMost("loss of energy per period, share of the swing's", cell > COARSE ? LOSS_IN_COARSE_BOWL
-                : LOSS_IN_BOWL,
-                -loss * period / seconds);
+            into.atMost("gain of energy, share of the swing's", LOSS_IN_BOWL, gain);
+            into.atMost("loss of energy per period, share of the swing's", LOSS_IN_BOWL, -loss * period / seconds);
         }
+    }
+
+    /**
+     * Returns the period of a ball that rolls on the flat cells of a bowl, seconds. Its centre follows straight lines
+     * that are a radius above the cells, with 5/7 of the acceleration of a sliding body.
+     * @param height of the turning points above the lowest line, metres
+     */
+    private static double period(double cell, double height) {
+        int cells = (int) Math.round(2 * LENGTH / cell);
+        double[] x = new double[cells + 1];
+        double[] y = new double[cells + 1];
+        double lowest = 0;
+        for (int i = 1; i < cells; i++) {
+            double[] before = normal(i - 1, cells);
+            double[] after = normal(i, cells);
+            double scale = BALL / (1 + before[0] * after[0] + before[1] * after[1]);
+            x[i] = edge(i, cells) + scale * (before[0] + after[0]);
+            y[i] = -sphere(edge(i, cells), 0) + scale * (before[1] + after[1]);
+            lowest = Math.min(lowest, y[i]);
+        }
+        double seconds = 0;
+        for (int i = 1; i < cells - 1; i++) {
+            double low = Math.min(y[i], y[i + 1]) - lowest;
+            double high = Math.max(y[i], y[i + 1]) - lowest;
+            if (low < height) {
+                // distance over mean speed
+                double share = high > height ? (height - low) / (high - low) : 1;
+                double speeds = Math.sqrt(10 * G / 7 * (height - low))
+                    + Math.sqrt(Math.max(0, 10 * G / 7 * (height - high)));
+                seconds += 2 * share * Math.hypot(x[i + 1] - x[i], y[i + 1] - y[i]) / speeds;
+            }
+        }
+        return 2 * seconds;
+    }
+
+    private static double edge(int i, int cells) {
+        return 2 * LENGTH * i / cells - LENGTH;
+    }
+
+    private static double[] normal(int i, int cells) {
+        double dx = edge(i + 1, cells) - edge(i, cells);
+        double dy = sphere(edge(i, cells), 0) - sphere(edge(i + 1, cells), 0);
+        double length = Math.hypot(dx, dy);
+        return new double[] {-dy / length, dx / length};
     }
 
     /** A ball rolls over the top of a dome, from -10 to 10 degrees: theta'' = 5 g sin theta / 7 (R + r). */
     static void dome(double cell, Findings into) throws Exception {
         try (Stage stage = new Stage()) {
-            mesh(stage, 0.24, 0.05, cell, BowlScenes::sphere);
+            mesh(stage, 0.24, Math.max(0.015, cell), cell, BowlScenes::sphere);
             double radius = CURVATURE + BALL;
             double start = Math.toRadians(-10);
             double speed = 0.65;
@@ -188,7 +222,7 @@ final class BowlScenes {
             }
             Pose at = run.pose("ball");
             into.in("ball on a dome of cells of " + cell + " m");
-            into.near("angle, share of 20 degrees", 0, Math.max(LOSS_ON_DOME, share(cell)),
+            into.near("angle, share of 20 degrees", 0, 1.1 * LOSS_ON_DOME,
                 (Math.atan2(at.x, at.y) - theta) / (-2 * start));
             into.atMost("largest deviation from the surface, m", 1e-3, off);
             into.atMost("gain of energy, share of the first", SHARE, gain);

@@ -63,6 +63,8 @@ final class IslandSolver {
      * gravity adds in a substep, divided by the number of levels: errors add up from level to level.
      */
     private static final double RESIDUAL = 0.01;
+    /** Levels above which the residual falls with the square of their number: a pass carries errors by one level. */
+    private static final double HIGH = 8;
     /**
      * The same in a calm island of at most {@link #FEW} bodies. Friction is bounded by the normal impulse of the pass
      * before, so the residual is speed that a body gains as it breaks away.
@@ -397,7 +399,7 @@ final class IslandSolver {
     /** Solves passes until the contacts have converged or the limit of passes is reached. */
     private void solve(double seconds) {
         double converged = (calm && bodies.size() <= FEW ? RESIDUAL_OF_FEW : RESIDUAL) / Math.max(1, height)
-            * gravity * seconds;
+            * Math.min(1, HIGH / Math.max(1, height)) * gravity * seconds;
         directions.begin();
         boolean last = false;
         for (int pass = 1; !last; pass++) {

@@ -29,7 +29,7 @@ public final class BeamScene {
     public static final int WORLD = Shapes.WORLD;
 
     /** Numbers per pose: x, y, z, metres, and the quaternion x, y, z, w. */
-    public static final int POSE = 7;
+    public static final int POSE = Shapes.POSE;
     private static final ThreadLocal<Casters> CASTERS = ThreadLocal.withInitial(Casters::new);
 
     private final Shapes shapes = new Shapes();

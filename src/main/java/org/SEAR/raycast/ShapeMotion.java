@@ -12,7 +12,7 @@ import org.SEAR.geometry.Rotation;
 final class ShapeMotion {
     /** Remembered steps, two seconds. */
     private static final int STEPS = 121;
-    private static final int POSE = BeamScene.POSE;
+    private static final int POSE = Shapes.POSE;
     /** Largest movement of a shape at rest: metres, and components of a unit quaternion. */
     private static final double REST = 1e-6;
     private static final int NONE = -1;

@@ -18,6 +18,8 @@ import org.SEAR.raycast.solid.TileTree;
 final class Shapes {
     /** Owner of shapes that belong to no robot. */
     static final int WORLD = -1;
+    /** Numbers per pose, see {@link BeamScene#POSE}. */
+    static final int POSE = 7;
     static final byte BOX = 0;
     static final byte CONVEX = 1;
     static final byte MESH = 2;

@@ -6,13 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
-import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
-import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** Replacement for a device at the far end of a cable. */
-public final class FarEnd implements SerialDataListener, AutoCloseable {
+public final class FarEnd implements AutoCloseable {
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     private final VirtualSerialPort device;
@@ -30,11 +28,10 @@ public final class FarEnd implements SerialDataListener, AutoCloseable {
         SerialDeviceFactory.add(device);
         SerialDeviceFactory.add(user);
         device.open();
-        device.listen(this);
+        device.listen(new BytesListener(this::onBytes));
     }
 
-    @Override
-    public void onBytes(byte[] bytes) {
+    private void onBytes(byte[] bytes) {
         String text = hex(bytes);
         synchronized (heard) {
             heard.add(text);
@@ -86,30 +83,5 @@ public final class FarEnd implements SerialDataListener, AutoCloseable {
     public void close() {
         SerialDeviceFactory.remove(device);
         SerialDeviceFactory.remove(user);
-    }
-
-    @Override
-    public String getName() {
-        return "far end of " + user.getName();
-    }
-
-    @Override
-    public QueueStats publishStats(QueueStats stats) {
-        return stats;
-    }
-
-    @Override
-    public void updateStats(QueueStats stats) {
-        throw new IllegalStateException("nobody asked for " + stats);
-    }
-
-    @Override
-    public void onConnect(String port) {
-        throw new IllegalStateException("nobody tells " + port);
-    }
-
-    @Override
-    public void onDisconnect(String port) {
-        throw new IllegalStateException("nobody tells " + port);
     }
 }

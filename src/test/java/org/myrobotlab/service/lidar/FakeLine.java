@@ -31,6 +31,7 @@ final class FakeLine implements DeviceLine, DriverEvents {
         sent.clear();
         errors.clear();
         found.clear();
+        infos.clear();
     }
 
     @Override

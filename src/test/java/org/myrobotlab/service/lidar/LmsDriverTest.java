@@ -11,10 +11,7 @@ import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
 import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.OperatingMode;
-import org.junit.Before;
 import org.junit.Test;
-import org.myrobotlab.service.lidar.requests.DeviceLine;
-import org.myrobotlab.service.lidar.requests.DriverEvents;
 
 /** The driver sends one request at a time, repeats it, gives up, and searches the device at other rates. */
 public class LmsDriverTest {
@@ -22,53 +19,9 @@ public class LmsDriverTest {
     private static final byte[] MODE_REPLY = Bytes.bytes("06 02 80 03 00 A0 00 10 16 0A");
     private static final byte[] SCAN_REPLY = Bytes.bytes("06 02 80 06 00 B0 01 40 D2 24 10 B0 99");
 
-    private final List<String> sent = new ArrayList<>();
-    private final List<String> errors = new ArrayList<>();
-    private final List<String> infos = new ArrayList<>();
     private final List<String> answers = new ArrayList<>();
-    private double now;
-    private int baud = 9600;
-    private LmsDriver driver;
-
-    @Before
-    public void makeDriver() {
-        driver = new LmsDriver(new DeviceLine() {
-            @Override
-            public void write(byte[] bytes) {
-                sent.add(Bytes.hex(bytes));
-            }
-
-            @Override
-            public void setBaud(int newBaud) {
-                baud = newBaud;
-            }
-
-            @Override
-            public int getBaud() {
-                return baud;
-            }
-
-            @Override
-            public double now() {
-                return now;
-            }
-        }, new DriverEvents() {
-            @Override
-            public void baud(int found) {
-                answers.add("at " + found);
-            }
-
-            @Override
-            public void error(String message) {
-                errors.add(message);
-            }
-
-            @Override
-            public void info(String message) {
-                infos.add(message);
-            }
-        }, telegram -> answers.add("streamed"));
-    }
+    private final FakeLine line = new FakeLine(9600);
+    private final LmsDriver driver = new LmsDriver(line, line, telegram -> answers.add("streamed"));
 
     private void askScan() {
         driver.ask(new LmsRequest("a scan", LmsCommand.SCAN, () -> LmsCommand.SCAN.request().add(1), 813, 1,
@@ -80,19 +33,13 @@ public class LmsDriverTest {
             .add(OperatingMode.STREAM_ALL), 9, 3, reply -> answers.add("mode")));
     }
 
-    private void pass(double seconds) {
-        for (double end = now + seconds; now < end; now += 0.01) {
-            driver.tick();
-        }
-    }
-
     @Test
     public void theNextRequestWaitsForThePreviousAnswer() {
         askScan();
         askMode();
-        assertEquals(1, sent.size());
+        assertEquals(1, line.sent.size());
         driver.receive(SCAN_REPLY);
-        assertEquals(2, sent.size());
+        assertEquals(2, line.sent.size());
         driver.receive(MODE_REPLY);
         assertEquals("[scan, mode]", answers.toString());
         assertTrue(driver.isIdle());
@@ -110,16 +57,14 @@ public class LmsDriverTest {
                 System.arraycopy(piece, 0, block, random.nextInt(block.length - piece.length), piece.length);
             }
             driver.receive(block);
-            pass(random.nextDouble());
+            line.pass(random.nextDouble(), driver::tick);
             if (done % 50_000 == 0) {
                 driver.clear();
                 answers.clear();
                 askScan();
                 driver.receive(SCAN_REPLY);
                 assertTrue("seed " + Fuzz.SEED + " after " + done + " bytes", answers.contains("scan"));
-                sent.clear();
-                errors.clear();
-                infos.clear();
+                line.clear();
             }
         }
     }
@@ -129,10 +74,10 @@ public class LmsDriverTest {
         askMode();
         driver.receive(Bytes.bytes("02 80 D6 02 B0 69 41 15 15 15 15 06 15 15"));
         driver.receive(MODE_REPLY);
-        pass(0.5);
+        line.pass(0.5, driver::tick);
         assertEquals("[mode]", answers.toString());
-        assertEquals(1, sent.size());
-        assertTrue(errors.isEmpty());
+        assertEquals(1, line.sent.size());
+        assertTrue(line.errors.isEmpty());
     }
 
     @Test
@@ -141,7 +86,7 @@ public class LmsDriverTest {
         for (int i = 0; i < 100_000; i++) {
             driver.tick();
         }
-        assertEquals(1, sent.size());
+        assertEquals(1, line.sent.size());
     }
 
     @Test
@@ -149,13 +94,13 @@ public class LmsDriverTest {
         askScan();
         driver.receive(Bytes.bytes("15"));
         driver.tick();
-        assertEquals(1, sent.size());
-        pass(0.05);
-        assertEquals(2, sent.size());
-        assertEquals(SCAN_REQUEST, sent.get(1));
+        assertEquals(1, line.sent.size());
+        line.pass(0.05, driver::tick);
+        assertEquals(2, line.sent.size());
+        assertEquals(SCAN_REQUEST, line.sent.get(1));
         driver.receive(SCAN_REPLY);
         assertEquals("[scan]", answers.toString());
-        assertTrue(errors.isEmpty());
+        assertTrue(line.errors.isEmpty());
     }
 
     @Test
@@ -163,10 +108,10 @@ public class LmsDriverTest {
         askScan();
         for (int i = 0; i < 3; i++) {
             driver.receive(Bytes.bytes("15"));
-            pass(0.05);
+            line.pass(0.05, driver::tick);
         }
-        assertEquals(3, sent.size());
-        assertTrue(errors.toString(), errors.get(0).contains("NAK"));
+        assertEquals(3, line.sent.size());
+        assertTrue(line.errors.toString(), line.errors.get(0).contains("NAK"));
         assertTrue(driver.isIdle());
     }
 
@@ -175,31 +120,33 @@ public class LmsDriverTest {
         askMode();
         driver.receive(MODE_REPLY);
         askScan();
-        pass(30);
-        assertEquals(4, sent.size());
-        assertTrue(errors.toString(), errors.get(0).contains("no answer to a scan after 3 tries at 9600 baud"));
+        line.pass(30, driver::tick);
+        assertEquals(4, line.sent.size());
+        assertTrue(line.errors.toString(),
+            line.errors.get(0).contains("no answer to a scan after 3 tries at 9600 baud"));
         askScan();
-        assertEquals("after an error it takes requests again", 5, sent.size());
+        assertEquals("after an error it takes requests again", 5, line.sent.size());
     }
 
     @Test
     public void aDeviceLeftAtAnotherRateIsFound() {
         askScan();
-        while (baud != 38400) {
-            pass(0.1);
+        while (line.baud != 38400) {
+            line.pass(0.1, driver::tick);
         }
         driver.receive(SCAN_REPLY);
-        assertEquals("[at 38400, scan]", answers.toString());
-        assertEquals("[the LIDAR answers at 38400 baud]", infos.toString());
-        assertTrue(errors.isEmpty());
+        assertEquals("[38400]", line.found.toString());
+        assertEquals("[scan]", answers.toString());
+        assertEquals("[the LIDAR answers at 38400 baud]", line.infos.toString());
+        assertTrue(line.errors.isEmpty());
     }
 
     @Test
     public void aMissingDeviceIsReportedOnce() {
         askScan();
         askMode();
-        pass(120);
-        assertEquals(errors.toString(), 1, errors.size());
+        line.pass(120, driver::tick);
+        assertEquals(line.errors.toString(), 1, line.errors.size());
         assertTrue(driver.isIdle());
     }
 
@@ -217,18 +164,18 @@ public class LmsDriverTest {
         askScan();
         askMode();
         driver.receive(Bytes.bytes("06 02 80 02 00 92 10 7F 33"));
-        assertTrue(errors.get(0).contains("does not permit a scan"));
-        assertEquals(2, sent.size());
+        assertTrue(line.errors.get(0).contains("does not permit a scan"));
+        assertEquals(2, line.sent.size());
     }
 
     @Test
     public void theDriverWaitsAfterAChangeOfBaudRate() {
         driver.changeBaud(38400);
         askScan();
-        assertEquals(0, sent.size());
-        pass(0.3);
-        assertEquals(1, sent.size());
-        assertEquals(38400, baud);
+        assertEquals(0, line.sent.size());
+        line.pass(0.3, driver::tick);
+        assertEquals(1, line.sent.size());
+        assertEquals(38400, line.baud);
     }
 
     @Test(expected = IllegalStateException.class)

@@ -38,6 +38,7 @@ import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.BytesListener;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.ExternalLine;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-package org.myrobotlab.service.sear.export;
+package org.myrobotlab.service;
 
 import java.util.function.Consumer;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** A listener of a port that only needs its bytes. */
-final class BytesListener implements SerialDataListener {
+public final class BytesListener implements SerialDataListener {
     private final Consumer<byte[]> taker;
 
-    BytesListener(Consumer<byte[]> taker) {
+    public BytesListener(Consumer<byte[]> taker) {
         this.taker = taker;
     }
 

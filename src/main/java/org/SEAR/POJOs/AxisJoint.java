@@ -71,8 +71,7 @@ public abstract class AxisJoint extends Joint {
         double checkedUpper = checked("upper", greatest);
         if (checkedLower > checkedUpper) {
             throw new IllegalArgumentException(label() + ": lower is " + Parameter.format(smallest)
-                + ", legal: at most upper, which is "
-                + Parameter.format(greatest));
+                + ", legal: at most upper, which is " + Parameter.format(greatest));
         }
         lower = checkedLower;
         upper = checkedUpper;

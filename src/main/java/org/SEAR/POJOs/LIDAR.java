@@ -182,8 +182,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution "
             + Parameter.format(resolution)
             + " deg, legal: " + device().fans() + "; without setPorts every fan, read with sear.getLidarResult(\""
-            + getName() + "\")"
-            + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
+            + getName() + "\")" + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
     }
 
     private String atItsPort() {

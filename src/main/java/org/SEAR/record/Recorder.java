@@ -144,10 +144,8 @@ public final class Recorder implements RunListener {
         int size = reading.numbers().length;
         if (names.size() != size || size > RecordHeader.MAX_VALUES) {
             throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and "
-                + names.size()
-                + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES
-                + "; numbers() and names() of "
-                + reading.getClass().getName() + " define them");
+                + names.size() + " names, legal: as many names as numbers, at most " + RecordHeader.MAX_VALUES
+                + "; numbers() and names() of " + reading.getClass().getName() + " define them");
         }
         return names;
     }
@@ -155,8 +153,7 @@ public final class Recorder implements RunListener {
     private byte[] header() throws IOException {
         Project project = simulation.getProject();
         RecordHeader header = new RecordHeader(simulation.getOrigin(), simulation.getStep(), INTERVAL,
-            fingerprint(project),
-            project.getRobots().stream().map(SearObject::getName).collect(Collectors.toList()),
+            fingerprint(project), project.getRobots().stream().map(SearObject::getName).collect(Collectors.toList()),
             project.getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()), sensors, numbers,
             simulation.getLines().stream().map(line -> line.getObjectName() + " at " + line.getUserPort())
                 .collect(Collectors.toList()));
@@ -233,8 +230,7 @@ public final class Recorder implements RunListener {
         if (out.size() >= limit || out.failure() != null) {
             leave();
             reported.accept("the record " + path + " has ended at " + getSeconds() + " s: "
-                + (out.failure() == null ? "it reached its maximum size, "
-                + limit + " bytes" : out.failure()));
+                + (out.failure() == null ? "it reached its maximum size, " + limit + " bytes" : out.failure()));
         }
     }
 

@@ -152,14 +152,12 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0
             && resolutionDegrees <= spreadDegrees)) {
             throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution "
-                + resolutionDegrees
-                + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
+                + resolutionDegrees + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
         }
         double[] ranges = new double[beams];
         Pose pose = pose(truth);
         truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees),
-            ranges.length, lidar.getRange(),
-            ignored(truth), ranges, null);
+            ranges.length, lidar.getRange(), ignored(truth), ranges, null);
         if (!errors.isNone()) {
             for (int beam = 0; beam < ranges.length; beam++) {
                 ranges[beam] = disturbed(ranges[beam], truth.step(), beam);

@@ -114,8 +114,7 @@ public class MapSystemTest {
     @Test
     public void systemsThatSearCannotConvertAreRefusedByName() {
         assertRefused("EPSG:5233", "(SLD99), legal: one with a datum shift within 5 m; this one has none "
-            + "without grid files "
-            + "that is more certain than 14 m");
+            + "without grid files that is more certain than 14 m");
         assertRefused("EPSG:3821", "(TWD67), legal: one with a datum shift within 5 m; this one has none without "
             + "grid files: ");
         assertRefused("EPSG:5880", "American Polyconic");
@@ -133,8 +132,7 @@ public class MapSystemTest {
             {"EPSG:4277 tmerc k_0=0.9996012717 lat_0=49.0 lon_0=-2.0 x_0=400000.0 y_0=-100000.0 units=m", "EPSG:27700",
                 "586863.1", "329499.1"},
             {"EPSG:4289 sterea k_0=0.9999079 lat_0=52.1561605555556 lon_0=5.38763888888889 x_0=155000.0 "
-                + "y_0=463000.0 units=m", "EPSG:28992",
-                "114411.9", "446706.0"}};
+                + "y_0=463000.0 units=m", "EPSG:28992", "114411.9", "446706.0"}};
         for (String[] pair : pairs) {
             double x = Double.parseDouble(pair[2]);
             double y = Double.parseDouble(pair[3]);

@@ -45,8 +45,7 @@ final class EsriParameters {
     private static final Pattern NEAR_WGS84 =
         Pattern.compile("(D_)?(WGS_1984|ETRS_1989|European_Terrestrial_Reference_System_1989|RGF_?(19)?93\\w*|"
         + "Reseau_Geodesique_Francais_1993\\w*|North_American_(Datum_)?1983|NAD_?1983\\w*|GDA_?(1994|2020)|SIRGAS_2000|"
-        + "NZGD_2000|JGD_20(00|11))",
-        Pattern.CASE_INSENSITIVE);
+        + "NZGD_2000|JGD_20(00|11))", Pattern.CASE_INSENSITIVE);
     private static final double DEGREE = Math.PI / 180;
     /** Longitude of the meridian of Paris in the French systems, degrees. */
     private static final double PARIS = 2.33722917;

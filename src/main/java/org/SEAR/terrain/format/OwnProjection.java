@@ -18,8 +18,7 @@ final class OwnProjection {
      * metres.
      */
     private static final Map<Integer, String> ELLIPSOIDS = Map.of(4326, "WGS84", 4269, "GRS80", 4258, "GRS80", 6318,
-        "GRS80", 6326, "WGS84",
-        6269, "GRS80", 6258, "GRS80", 1116, "GRS80", 7030, "WGS84", 7019, "GRS80");
+        "GRS80", 6326, "WGS84", 6269, "GRS80", 6258, "GRS80", 1116, "GRS80", 7030, "WGS84", 7019, "GRS80");
     private static final Map<Integer, String> METRES = Map.of(9001, "m", 9002, "ft", 9003, "us-ft");
     /** PROJ name of each parameter and the keys that may contain it. */
     private static final Object[][] PARAMETERS = {

@@ -34,15 +34,12 @@ final class PalettePictures {
     /** Draws the shown world as a large picture without a background. */
     private static final String DRAW = String.join("\n",
         "var view = angular.element(document.querySelector('.sear-main')).scope().view, s = view.scene(), only = "
-        + "arguments[0]",
-        "s.objects.forEach(item => item.holder.visible = only ? item.source.name === only : "
-        + "item.source.name.indexOf('hidden') !== 0)",
-        "s.robots.forEach(item => item.holder.visible = !only)",
+        + "arguments[0]", "s.objects.forEach(item => item.holder.visible = only ? item.source.name === only : "
+        + "item.source.name.indexOf('hidden') !== 0)", "s.robots.forEach(item => item.holder.visible = !only)",
         "s.sensors.forEach(item => item.holder.visible = !only)",
         "s.showGrid(false)",
         "s.orbit.distance *= only === 'none' ? 4 : 1.5; s.orbit.azimuth = Math.PI * 0.8; s.orbit.elevation = only === "
-        + "'none' ? 0.7 : 0.5",
-        "s.sun.castShadow = false",
+        + "'none' ? 0.7 : 0.5", "s.sun.castShadow = false",
         "s.scene.traverse(one => {",
         "    one.receiveShadow = false",
         "    if (one.material) { one.material.needsUpdate = true }",
@@ -90,8 +87,7 @@ final class PalettePictures {
         browser.script("angular.element(document.querySelector('.sear-main')).scope().view.fit()");
         browser.until("what " + kind + " looks like",
             () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
-            + "document.querySelector('.sear-main')).scope();"
-            + "var s = scope.view.scene(), now = scope.world.shown();"
+            + "document.querySelector('.sear-main')).scope();var s = scope.view.scene(), now = scope.world.shown();"
             + "return scope.view.fitted && Object.keys(s.looks.wanted).length === 0 && s.objects.length === "
             + "now.objects.length"
             + " && s.objects.every((item, i) => item.source === now.objects[i] && item.dressed && item.shown "

@@ -107,14 +107,12 @@ public class AsciiGridTest {
             "PROJCS[\"CH1903+ / LV95\",GEOGCS[\"x\",AUTHORITY[\"EPSG\",\"4150\"]],AUTHORITY[\"EPSG\",\"2056\"]]\n"));
         assertEquals("EPSG:32719", prj("Projection    UTM\nZone          -19\nDatum         WGS84\n"));
         assertEquals("+proj=tmerc +k_0=0.9996 +lat_0=0.0 +lon_0=9.0 +x_0=500000.0 +y_0=0.0 +ellps=GRS80 +towgs84=0,0,0 "
-            + "+units=m +no_defs",
-            prj(spelled("D_ETRS_1989", "Transverse_Mercator",
+            + "+units=m +no_defs", prj(spelled("D_ETRS_1989", "Transverse_Mercator",
                 "Central_Meridian\",9],PARAMETER[\"Latitude_Of_Origin\",0],PARAMETER[\""
                 + "Scale_Factor\",0.9996],PARAMETER[\"False_Easting\",500000],PARAMETER[\"False_Northing\",0",
                     "Meter\",1.0")));
         String feet = prj(spelled("D_North_American_1983", "Lambert_Conformal_Conic",
-            "False_Easting\",1000],PARAMETER[\"Standard_Parallel_1\",40",
-            "Foot_US\",0.3048006096012192"));
+            "False_Easting\",1000],PARAMETER[\"Standard_Parallel_1\",40", "Foot_US\",0.3048006096012192"));
         assertTrue(feet, feet.startsWith("+proj=lcc +lat_1=40.0 +lat_2=40.0 +x_0=304.80")
             && feet.endsWith("+units=us-ft +no_defs"));
         for (String[] unknown : new String[][] {{"D_Mars", "Lambert_Conformal_Conic", "False_Easting\",0",
@@ -137,8 +135,7 @@ public class AsciiGridTest {
             "GEOGCS[\"GCS_OSGB_1936\",DATUM[\"D_OSGB_1936\",SPHEROID[\"Airy_1830\",6377563.396,299.3249646]],"
             + "PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]"));
         assertEquals("EPSG:4312", prj("GEOGCS[\"MGI\",DATUM[\"Militar-Geographische_Institut\",SPHEROID[\"Bessel "
-            + "1841\",6377397.155,299.1528128]],"
-            + "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]"));
+            + "1841\",6377397.155,299.1528128]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]]"));
         assertThrows("grads from Paris", IOException.class,
             () -> prj("GEOGCS[\"GCS_NTF_Paris\",DATUM[\"D_NTF\",SPHEROID[\"Clarke_1880_IGN\","
             + "6378249.2,293.466021293627]],PRIMEM[\"Paris\",2.337229167],UNIT[\"Grad\",0.01570796326794897]]"));

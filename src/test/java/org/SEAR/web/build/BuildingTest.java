@@ -39,8 +39,7 @@ public class BuildingTest {
     private static final String THINGS = String.join("\n",
         "Floor('floor1', 10, 10)",
         "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.25, 0.25, "
-        + "0.25).move(x, 0.125, z)",
-        "Cylinder('cylinder1', 0.1, 0.25).move(3, 0.125, 0)",
+        + "0.25).move(x, 0.125, z)", "Cylinder('cylinder1', 0.1, 0.25).move(3, 0.125, 0)",
         "Cone('cone1', 0.1, 0.25).move(3, 0.125, 1)",
         "Sphere('sphere1', 0.1).move(3, 0.1, -1)",
         "tower = Box('box5', 0.25, 0.25, 0.25)",
@@ -268,16 +267,14 @@ public class BuildingTest {
         + ".scope().palette.groups().flatMap(group => group.kinds)", "var image = new Image()",
         "image.onload = () => {",
         "    var pen = Object.assign(document.createElement('canvas'), {width: image.width, height: "
-        + "image.height}).getContext('2d')",
-        "    pen.drawImage(image, 0, 0)",
+        + "image.height}).getContext('2d')", "    pen.drawImage(image, 0, 0)",
         "    var seen = {}, wrong = []",
         "    kinds.forEach(kind => {",
         "        var at = kind.style['background-position'].split(' ').map(parseFloat)",
         "        var size = kind.style['background-size'].split(' ').map(parseFloat)",
         "        var cell = [100 * image.width / size[0], 100 * image.height / size[1]]",
         "        var data = pen.getImageData(Math.round(at[0] / 100 * (image.width - cell[0])), Math.round(at[1] / 100 "
-        + "* (image.height - cell[1])),",
-        "            cell[0], cell[1]).data",
+        + "* (image.height - cell[1])),", "            cell[0], cell[1]).data",
         "        var drawn = data.filter((value, i) => i % 4 === 3 && value > 128).length / cell[0] / cell[1]",
         "        if (cell[0] !== cell[1] || drawn < 0.05 || drawn > 0.9 || seen[at]) {",
         "            wrong.push(kind.make + ' ' + cell + ' ' + drawn)",
@@ -452,8 +449,7 @@ public class BuildingTest {
     @Test
     public void inSpaceTheMouseSelectsMovesSizesAndTurns() throws IOException {
         TABS.robotLab().run("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 10, 10)\nBox('crate', 1, 1, "
-            + "1).move(0, 0.5, 0)\n"
-            + "Robots.create2('rosie').move(0, 0, 2)");
+            + "1).move(0, 0.5, 0)\nRobots.create2('rosie').move(0, 0, 2)");
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         build(".sear-space");
         browser.until("all of it", () ->
@@ -558,8 +554,7 @@ public class BuildingTest {
         browser.until("no simulation, and a view as before",
             () -> tab.isTrue("service && !service.simulating && !view.follow"));
         TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': "
-            + "0.04, 'width': 0.04,"
-            + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
+            + "0.04, 'width': 0.04, 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
         browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
         picture("robot");
         browser.scope(SearTab.ROOT, "$apply(\"edits.select('rover1/left')\")");

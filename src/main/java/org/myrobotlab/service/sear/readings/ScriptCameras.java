@@ -66,8 +66,7 @@ public final class ScriptCameras {
         CameraImage image = image(asked);
         if (!image.getKind().equals(kind)) {
             throw new IllegalArgumentException("camera " + ScriptText.of(asked) + " makes pictures of kind "
-                + image.getKind() + ", legal: setKind(\""
-                + kind + "\") before the start");
+                + image.getKind() + ", legal: setKind(\"" + kind + "\") before the start");
         }
         return image;
     }

@@ -72,8 +72,7 @@ public final class Plots {
             Object value = list.get(i);
             if (value != null && !(value instanceof Number)) {
                 throw new IllegalArgumentException("\"" + name + "\" has " + ParameterTable.quote(value)
-                    + " at index " + i
-                    + ", legal: numbers, or None for a missing value");
+                    + " at index " + i + ", legal: numbers, or None for a missing value");
             }
             numbers[i] = value == null ? Double.NaN : ((Number) value).doubleValue();
         }
@@ -109,8 +108,7 @@ public final class Plots {
             }
         }
         return UNITS.entrySet().stream().filter(unit -> name.endsWith(unit.getKey()))
-            .max((a, b) -> a.getKey().length() - b.getKey().length())
-            .map(Map.Entry::getValue).orElse("");
+            .max((a, b) -> a.getKey().length() - b.getKey().length()).map(Map.Entry::getValue).orElse("");
     }
 
     /** Returns the units of a world's sensors. Simulation thread. */

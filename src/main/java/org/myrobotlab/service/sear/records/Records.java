@@ -238,8 +238,7 @@ public final class Records {
         List<List<Double>> all = new ArrayList<>();
         for (double[] each : exact) {
             all.add(Arrays.stream(each).mapToObj(n -> Double.isNaN(n) || Double.isInfinite(n) ? null
-                : Double.valueOf(Math.rint(n * per) / per))
-                .collect(Collectors.toList()));
+                : Double.valueOf(Math.rint(n * per) / per)).collect(Collectors.toList()));
         }
         return all;
     }

@@ -35,6 +35,8 @@ public class Servo extends SearObject implements Wirable {
     @Param(doc = "stall torque; weight on the servo slows it: torque = stallTorque (power - speed / no-load speed)",
         unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
+    @Param(doc = "whether only the motor turns the parts, not their load, as with a worm gear")
+    private Boolean selfLocking;
     @Param(doc = "play of the gear: angle that the motor turns before the parts follow", unit = "deg", max = 90)
     private double play;
     @Param(doc = "dead time of commands", unit = "s", max = 1)
@@ -182,6 +184,16 @@ public class Servo extends SearObject implements Wirable {
     /** @param newTorque N m */
     public void setStallTorque(double newTorque) {
         stallTorque = checked("stallTorque", newTorque);
+        changed();
+    }
+
+    public boolean isSelfLocking() {
+        return selfLocking != null && selfLocking;
+    }
+
+    /** @param on whether only the motor turns the parts, not their load, as with a worm gear or a brake */
+    public void setSelfLocking(boolean on) {
+        selfLocking = checked("selfLocking", on);
         changed();
     }
 

@@ -10,10 +10,7 @@ import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.PrincipalAxes;
-import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.joint.JointedBody;
-import org.SEAR.physics.solid.Hinge;
-import org.SEAR.physics.solid.InnerMotion;
 import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
 
@@ -41,13 +38,12 @@ public final class Body {
     private final double cy;
     private final double cz;
     private final PlacedSolid[] placed;
-    private final InnerMotion inner;
     private long placedAt = -1;
     private int shapeVersion;
-    private double leastReach;
     private double reach;
     private double leastHalf;
-    private boolean robot;
+    /** Bodies of its robot; null if it belongs to none. */
+    private RobotBodies robot;
     private boolean driven;
     private boolean carried;
     private boolean touching;
@@ -91,7 +87,6 @@ public final class Body {
         this.cz = centre[2];
         this.start = start;
         this.pose = start;
-        inner = new InnerMotion(solids, places, centre);
         placed = PlacedSolid.of(solids, mass > 0);
         if (placed.length == 1 && mass > 0 && places[0].qw == 1) {
             ConvexShape shape = solids.get(0).convex();
@@ -110,16 +105,6 @@ public final class Body {
         }
     }
 
-    /** Returns the index of the solid with this shape number in the scenes; -1 if there is none. */
-    public int solidOf(int shape) {
-        for (int i = 0; i < shapes.length; i++) {
-            if (shapes[i] == shape) {
-                return i;
-            }
-        }
-        return -1;
-    }
-
     /** Copies the poses of its solids to the scenes. */
     public void mirror(RaycastScenes scenes) {
         for (int i = 0; i < shapes.length; i++) {
@@ -136,7 +121,7 @@ public final class Body {
         pose = start;
         reach = reach();
         leastHalf = mass > 0 ? Arrays.stream(placed).mapToDouble(part -> part.shape.least()).min().orElse(0) : 0;
-        rolls = !robot && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
+        rolls = robot == null && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
         solver.setMass(mass, principal.atLeast(MIN_INERTIA * mass * reach * reach));
         put(start);
         carried = false;
@@ -148,7 +133,6 @@ public final class Body {
         double[] centre = at.transform(cx, cy, cz);
         solver.put(centre[0], centre[1], centre[2], at);
         rest.begin(solver);
-        inner.forget();
         placedAt = -1;
         turningSpeed = 0;
         touching = false;
@@ -170,36 +154,7 @@ public final class Body {
         state = mass > 0 ? State.AWAKE : State.ASLEEP;
     }
 
-    /** Sets how far from the centre of mass moving solids may come, metres. Before the world starts. */
-    public void setLeastReach(double metres) {
-        leastReach = metres;
-    }
-
-    /**
-     * Moves a solid in the body's frame during the next step; it pushes and drags bodies that it touches.
-     * @param solid its index
-     * @param hinge yields under load; null if the motion is rigid
-     */
-    public void move(int solid, Pose to, Hinge hinge) {
-        inner.move(solid, to, hinge);
-    }
-
-    /** Motion of its solids in its frame in this step. */
-    public InnerMotion inner() {
-        return inner;
-    }
-
-    /**
-     * Sets the pose of a solid in the body's frame. Before the world starts.
-     * @param solid its index
-     */
-    public void setPlace(int solid, Pose place) {
-        places[solid] = place;
-        shapeVersion++;
-        placedAt = -1;
-    }
-
-    /** Increases when solids move in the body's frame or the body is teleported. */
+    /** Increases when the body is teleported. */
     int getShapeVersion() {
         return shapeVersion;
     }
@@ -229,7 +184,7 @@ public final class Body {
     }
 
     private double reach() {
-        double farthest = leastReach;
+        double farthest = 0;
         for (int i = 0; i < places.length && mass > 0; i++) {
             double off = Math.sqrt((places[i].x - cx) * (places[i].x - cx) + (places[i].y - cy) * (places[i].y - cy)
                 + (places[i].z - cz) * (places[i].z - cz));
@@ -260,8 +215,12 @@ public final class Body {
 
     /** Whether both bodies pass through each other. */
     public boolean ignores(Body other) {
-        for (int i = 0; i < passing.size(); i++) {
-            if (passing.get(i).holds(other)) {
+        if (robot != null && robot == other.robot || placed.length == 0 || other.placed.length == 0) {
+            return true;
+        }
+        List<JointedBodies.Link> through = RobotBodies.base(this).passing;
+        for (int i = 0; i < through.size(); i++) {
+            if (through.get(i).holds(RobotBodies.base(other))) {
                 return true;
             }
         }
@@ -289,14 +248,14 @@ public final class Body {
         double[] v = solver.v;
         double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
         if (square == 0 || symmetry == Symmetry.BALL) {
-            return inner.fastest();
+            return 0;
         }
         if (symmetry == Symmetry.ABOUT_Y) {
             Placement at = solver.place;
             double about = v[3] * at.m01 + v[4] * at.m11 + v[5] * at.m21;
             square = Math.max(0, square - about * about);
         }
-        return Math.sqrt(square) * reach + inner.fastest();
+        return Math.sqrt(square) * reach;
     }
 
     /** Upper bound of the distance that its surface has moved by rotation so far, metres. */
@@ -338,7 +297,7 @@ public final class Body {
 
     /** Whether it collides by triangles. */
     boolean isMesh() {
-        return placed[0].isMesh();
+        return placed.length > 0 && placed[0].isMesh();
     }
 
     /** Returns its motion, mass and inertia, for joints. */
@@ -352,11 +311,6 @@ public final class Body {
 
     /** Takes over the pose from the solver after a step. */
     void follow() {
-        turned += inner.fastest() * TimeStep.SECONDS;
-        if (inner.end()) {
-            shapeVersion++;
-            placedAt = -1;
-        }
         double[] moved = solver.moved;
         turned += symmetry == Symmetry.BALL ? 0
             : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
@@ -379,6 +333,11 @@ public final class Body {
 
     /** Sets a box to the body's bounds in the world frame. */
     void bounds(Aabb into) {
+        if (placed.length == 0) {
+            Placement at = solver.place;
+            into.clear().add(at.x, at.y, at.z);
+            return;
+        }
         place();
         into.set(placed[0].box);
         for (int i = 1; i < placed.length; i++) {
@@ -421,17 +380,15 @@ public final class Body {
         System.arraycopy(solver.v, 3, into, 0, 3);
     }
 
-    /** Marks a robot's body; rolling friction does not act on it. */
-    public void setRobot() {
-        robot = true;
-    }
-
     /**
      * Sets the velocity of the centre of mass, m/s, and the angular velocity, rad/s, both in the world frame; wakes the
-     * body.
+     * body. The links of a robot follow.
      */
     public void setVelocities(double vx, double vy, double vz, double wx, double wy, double wz) {
         double[] v = solver.v;
+        if (robot != null && robot.leads(this)) {
+            robot.follow(vx, vy, vz, wx, wy, wz);
+        }
         v[0] = vx;
         v[1] = vy;
         v[2] = vz;
@@ -537,8 +494,18 @@ public final class Body {
         driven = on;
     }
 
-    public boolean isRobot() {
+    /** Sets the bodies of its robot. Rolling friction does not act on robots. */
+    void setRobot(RobotBodies bodies) {
+        robot = bodies;
+    }
+
+    /** Bodies of its robot; null if it belongs to none. */
+    RobotBodies getRobot() {
         return robot;
+    }
+
+    public boolean isRobot() {
+        return robot != null;
     }
 
     boolean isDriven() {
@@ -561,6 +528,9 @@ public final class Body {
     public void setStart(Pose newStart) {
         start = newStart;
         pose = newStart;
+        if (robot != null) {
+            robot.start(this);
+        }
     }
 
     /** Mass, centre of mass and inertia tensor, in the body's frame. */

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
-import org.SEAR.physics.solid.Hinge;
-import org.SEAR.physics.solid.InnerMotion;
 
 /**
  * Row of the constraint matrix: an impulse on a body at a point along one direction, and its reverse on another movable
@@ -24,16 +22,6 @@ public final class ConstraintRow {
     /** Velocities of the other body; null if it does not move. */
     private double[] others;
     private double othersInverseMass;
-    /** Planned speed along the row of the other body's moving solid, m/s, and its displacement in this step, metres. */
-    private double carried;
-    private double way;
-    /**
-     * Hinge that turns this solid and yields, and its lever: displacement along the row, metres per radian. Null: no
-     * hinge.
-     */
-    private Hinge hinge;
-    private double lever;
-    private final double[] direction = new double[3];
     /** Inverse effective mass: change of speed along the row per unit impulse, 1/kg. */
     public double mobility;
     /** Accumulated impulse of this step, N s. */
@@ -61,9 +49,6 @@ public final class ConstraintRow {
         inverseMass = body.inverseMass;
         mobility = inverseMass + ax * ix + ay * iy + az * iz;
         others = null;
-        hinge = null;
-        carried = 0;
-        way = 0;
         if (other != null) {
             join(x - other.place.x, y - other.place.y, z - other.place.z, other);
         }
@@ -81,41 +66,12 @@ public final class ConstraintRow {
         mobility += othersInverseMass + arm[0] * turn[0] + arm[1] * turn[1] + arm[2] * turn[2];
     }
 
-    /**
-     * Adds the motion of the touched solid in the other body, which a servo may turn.
-     * @param solid its index
-     * @param x point of application, metres, likewise y and z; world frame
-     * @param gone elapsed time of the step, seconds
-     */
-    public void carry(Body other, int solid, double x, double y, double z, double gone) {
-        InnerMotion inner = other.inner();
-        if (!inner.moves(solid)) {
-            return;
-        }
-        direction[0] = lx;
-        direction[1] = ly;
-        direction[2] = lz;
-        carried = inner.speed(solid, other.getSolver().place, direction, 0, x, y, z, gone);
-        way = gone * carried;
-        hinge = inner.hinge(solid);
-        if (hinge != null) {
-            lever = inner.lever(solid, other.getSolver().place, direction, 0, x, y, z, gone);
-            way += lever * hinge.ahead();
-            mobility += hinge.yields(lever);
-        }
-    }
-
-    /** Displacement along the row of the other body's moving solid in this step, metres. */
-    public double way() {
-        return way;
-    }
-
     /** Returns the speed of the point along the direction relative to the other body, m/s. */
     public double speed(double[] v) {
         double speed = lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
         return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3]
             - arm[1] * others[4]
-            - arm[2] * others[5] - carried - (hinge == null ? 0 : lever * hinge.deviation());
+            - arm[2] * others[5];
     }
 
     /** Applies an impulse to the velocities, and its reverse to the other body. */
@@ -135,9 +91,6 @@ public final class ConstraintRow {
             others[3] -= turn[0] * newtonSeconds;
             others[4] -= turn[1] * newtonSeconds;
             others[5] -= turn[2] * newtonSeconds;
-        }
-        if (hinge != null) {
-            hinge.push(lever, newtonSeconds);
         }
     }
 

@@ -2,7 +2,6 @@
 package org.SEAR.physics;
 
 import java.util.Arrays;
-import org.SEAR.physics.solid.HingeLevers;
 
 /**
  * Contact constraints of an island during a step. All numbers are in one array, manifold after manifold, because the
@@ -50,15 +49,11 @@ final class ContactRows {
     private static final int LEVER = BASE + 3;
     /** 1 if the point will bounce at the end of this substep or later; no impulse brakes it before. */
     private static final int PENDING_RESTITUTION = BASE + 4;
-    /** Approach speed due to solids that move in their bodies, m/s; 0 without such motion. */
-    private static final int DRIVEN = BASE + 5;
     /** Numbers per point. */
-    static final int POINT = BASE + 6;
+    static final int POINT = BASE + 5;
     private static final int PATCH = POINTS + Manifold.MAX_POINTS * POINT;
     private static final int BLOCK = PATCH + FrictionRows.SIZE;
     private static final int SIZE = BLOCK + NormalBlock.SIZE;
-    /** Rows per manifold with hinge levers: those of the points, then those of friction. */
-    private static final int HINGED = Manifold.MAX_POINTS + FrictionRows.HINGED;
 
     /** Impulses per manifold that the conjugate directions cover: points, two of friction, one against turning. */
     static final int IMPULSES = Manifold.MAX_POINTS + 3;
@@ -71,25 +66,17 @@ final class ContactRows {
     /** Direction out of a fixed body: 1 along the normal, -1 against it, 0 if neither body is fixed. */
     private byte[] out = {};
     private Manifold[] manifolds = {};
-    /** Hinge levers of each manifold; null without hinges. The objects of a slot are reused. */
-    private HingeLevers[] levers = {};
-    private HingeLevers[] kept = {};
     /** Points of each manifold; 0 in an empty slot. */
     private int[] points = {};
     private int size;
     /** Whether a contact of the island has a restitution. */
     private boolean bounces;
-    /** Elapsed time of the step, seconds: solids that move in their bodies take their new poses at its end. */
-    private double gone;
     /** Largest velocity change at a contact in the last pass, m/s. */
     private double residual;
-    /** Whether a bias speed corrects penetrations where hinges yield. */
-    private boolean biased;
     private final NormalBlock block = new NormalBlock();
 
     /** Begins the step of an island. */
     void clear() {
-        gone = 0;
         size = 0;
         bounces = false;
     }
@@ -114,8 +101,6 @@ final class ContactRows {
             movedB = Arrays.copyOf(movedB, more);
             out = Arrays.copyOf(out, more);
             manifolds = Arrays.copyOf(manifolds, more);
-            levers = Arrays.copyOf(levers, more);
-            kept = Arrays.copyOf(kept, more);
             points = Arrays.copyOf(points, more);
         }
         points[size] = 0;
@@ -159,46 +144,27 @@ final class ContactRows {
             my += of.points[i].y / of.count;
             mz += of.points[i].z / of.count;
         }
-        boolean driven = of.isDriven();
-        levers[slot] = driven ? levers(slot, of) : null;
         for (int i = 0; i < of.count; i++) {
-            fill(at + POINTS + i * POINT, of, of.points[i], driven, mx, my, mz);
-            if (levers[slot] != null) {
-                giveWay(levers[slot], i, at + POINTS + i * POINT, of);
-            }
+            fill(at + POINTS + i * POINT, of, of.points[i], mx, my, mz);
         }
-        FrictionRows.prepare(data, at + PATCH, of, mx, my, mz, gone, levers[slot]);
+        FrictionRows.prepare(data, at + PATCH, of, mx, my, mz);
         data[at + READY] = 0;
         data[at + IMPACT] = of.impact ? 1 : 0;
     }
 
-    private void fill(int at, Manifold of, Manifold.Point point, boolean driven, double mx, double my, double mz) {
+    private void fill(int at, Manifold of, Manifold.Point point, double mx, double my, double mz) {
         double half = point.found / 2;
         PairRow.prepare(data, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny,
             point.z + half * of.nz);
         data[at + PairRow.IMPULSE] = point.impulse;
         data[at + BASE] = point.found - PairRow.along(data, at, of.a.moved, of.b.moved);
-        data[at + DRIVEN] = driven ? of.driven(data, at, point.x, point.y, point.z, gone) : 0;
-        data[at + GAP] = point.found - data[at + DRIVEN] * gone;
+        data[at + GAP] = point.found;
         data[at + RESTITUTION_IMPULSE] = 0;
         double dx = point.x - mx;
         double dy = point.y - my;
         double dz = point.z - mz;
         data[at + LEVER] = Math.sqrt(dx * dx + dy * dy + dz * dz);
         data[at + PENDING_RESTITUTION] = 0;
-    }
-
-    private HingeLevers levers(int slot, Manifold of) {
-        if (kept[slot] == null) {
-            kept[slot] = new HingeLevers(HINGED);
-        }
-        return of.yields(kept[slot]) ? kept[slot] : null;
-    }
-
-    private void giveWay(HingeLevers by, int row, int point, Manifold of) {
-        of.setLevers(by, row, data, point, of.points[row].x, of.points[row].y, of.points[row].z, gone);
-        data[point + PairRow.MASS] = by.mass(row, data[point + PairRow.MASS]);
-        data[point + GAP] -= by.way(row);
     }
 
     /** Copies the impulses and gaps of a slot to its manifold. */
@@ -236,7 +202,7 @@ final class ContactRows {
                     int point = at + POINTS + i * POINT;
                     if (data[point + PairRow.IMPULSE] != 0) {
                         data[point + PairRow.IMPULSE] *= scale;
-                        applyImpulse(slot, i, point, data[point + PairRow.IMPULSE]);
+                        applyImpulse(slot, point, data[point + PairRow.IMPULSE]);
                     }
                 }
                 if (FrictionRows.holds(data, at + PATCH)) {
@@ -244,7 +210,6 @@ final class ContactRows {
                 }
             }
         }
-        gone += seconds;
     }
 
     /** Passes the impulses of a slot with one point on to another one. */
@@ -261,8 +226,7 @@ final class ContactRows {
         double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
-            data[point + GAP] = data[point + BASE] + PairRow.along(data, point, p, q) - data[point + DRIVEN] * gone
-                - (levers[slot] == null ? 0 : levers[slot].way(i));
+            data[point + GAP] = data[point + BASE] + PairRow.along(data, point, p, q);
         }
     }
 
@@ -270,11 +234,9 @@ final class ContactRows {
      * Solves one pass over all contacts.
      *
      * @param first whether it is the first pass of the substep, which meets approach speeds as they are
-     * @param moved whether the bodies have moved: then hinges get no bias speed against penetrations
      */
-    void solve(boolean first, boolean moved) {
+    void solve(boolean first) {
         residual = 0;
-        biased = !moved;
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
                 solve(slot, first);
@@ -306,8 +268,7 @@ final class ContactRows {
         int count = points[slot];
         double pressing = 0;
         double turning = 0;
-        HingeLevers by = levers[slot];
-        boolean all = count > 1 && by == null;
+        boolean all = count > 1;
         boolean loose = data[at + LOOSE] > 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
@@ -327,9 +288,8 @@ final class ContactRows {
             int point = at + POINTS + i * POINT;
             double gap = data[point + GAP];
             double seconds = data[at + SECONDS];
-            double bias = biased && by != null ? PositionCorrection.speed(Math.min(gap, LINEAR_SLOP), seconds) : 0;
-            block.wanted[i] = (gap > LINEAR_SLOP ? -(gap - LINEAR_SLOP) / seconds : 0) + bias + data[point + DRIVEN];
-            parting = parting && PairRow.along(data, point, p, q) >= block.wanted[i] + (by == null ? 0 : by.speed(i));
+            block.wanted[i] = gap > LINEAR_SLOP ? -(gap - LINEAR_SLOP) / seconds : 0;
+            parting = parting && PairRow.along(data, point, p, q) >= block.wanted[i];
         }
         if (parting || all && solveAll(at, count, p, q, first)) {
             return;
@@ -337,13 +297,13 @@ final class ContactRows {
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             if (data[point + PENDING_RESTITUTION] == 0) {
-                double missing = PairRow.missing(data, point, p, q, block.wanted[i] + (by == null ? 0 : by.speed(i)));
+                double missing = PairRow.missing(data, point, p, q, block.wanted[i]);
                 if (first) {
                     notice(at, missing / data[point + PairRow.MASS]);
                 }
                 double sum = Math.max(0, data[point + PairRow.IMPULSE] + missing);
                 note((sum - data[point + PairRow.IMPULSE]) / data[point + PairRow.MASS]);
-                applyImpulse(slot, i, point, sum - data[point + PairRow.IMPULSE]);
+                applyImpulse(slot, point, sum - data[point + PairRow.IMPULSE]);
                 data[point + PairRow.IMPULSE] = sum;
             }
         }
@@ -418,7 +378,7 @@ final class ContactRows {
         if (i == IMPULSES - 1) {
             FrictionRows.twist(data, slot * SIZE + PATCH, this, slot, more);
         } else {
-            applyImpulse(slot, i, impulseAt(slot, i) - PairRow.IMPULSE, more);
+            applyImpulse(slot, impulseAt(slot, i) - PairRow.IMPULSE, more);
         }
     }
 
@@ -436,13 +396,11 @@ final class ContactRows {
         int at = slot * SIZE;
         Manifold of = manifolds[slot];
         boolean pushes = false;
-        boolean driven = false;
         for (int i = 0; i < points[slot]; i++) {
             int point = at + POINTS + i * POINT;
             pushes |= data[point + PairRow.IMPULSE] > 0 || data[point + RESTITUTION_IMPULSE] > 0;
-            driven |= data[point + DRIVEN] > 0;
         }
-        if (!driven && gap(slot) < -DEEP) {
+        if (gap(slot) < -DEEP) {
             of.a.setDeep();
             of.b.setDeep();
         }
@@ -455,14 +413,8 @@ final class ContactRows {
         }
     }
 
-    /**
-     * Applies an impulse along a row to both bodies, N s.
-     * @param number index of the row in its manifold
-     */
-    void applyImpulse(int slot, int number, int row, double impulse) {
-        if (levers[slot] != null) {
-            levers[slot].push(number, impulse);
-        }
+    /** Applies an impulse along a row to both bodies, N s. */
+    void applyImpulse(int slot, int row, double impulse) {
         PairRow.applyImpulse(data, row, speedsA[slot], speedsB[slot], data[slot * SIZE + MASS_A],
             data[slot * SIZE + MASS_B], impulse);
     }
@@ -503,17 +455,7 @@ final class ContactRows {
     /** Returns the separating speed at a point, m/s. */
     double parting(int slot, int i) {
         int point = slot * SIZE + POINTS + i * POINT;
-        return PairRow.along(data, point, speedsA[slot], speedsB[slot]) - data[point + DRIVEN] - yielding(slot, i);
-    }
-
-    /** Hinge levers of a slot; null without hinges. */
-    HingeLevers levers(int slot) {
-        return levers[slot];
-    }
-
-    /** Returns the approach speed along a row due to deviations of hinges from their plan, m/s. */
-    private double yielding(int slot, int number) {
-        return levers[slot] == null ? 0 : levers[slot].speed(number);
+        return PairRow.along(data, point, speedsA[slot], speedsB[slot]);
     }
 
     /** Defers a point until it bounces: no impulse brakes it before. */
@@ -538,9 +480,8 @@ final class ContactRows {
      */
     double rebound(int slot, int i, double impact, double speed) {
         int point = slot * SIZE + POINTS + i * POINT;
-        double sum = Math.max(0, impact + PairRow.missing(data, point, speedsA[slot], speedsB[slot], speed + data[point
-            + DRIVEN] + yielding(slot, i)));
-        applyImpulse(slot, i, point, sum - impact);
+        double sum = Math.max(0, impact + PairRow.missing(data, point, speedsA[slot], speedsB[slot], speed));
+        applyImpulse(slot, point, sum - impact);
         return sum;
     }
 

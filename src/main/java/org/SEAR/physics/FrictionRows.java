@@ -2,7 +2,6 @@
 package org.SEAR.physics;
 
 import org.SEAR.geometry.Placement;
-import org.SEAR.physics.solid.HingeLevers;
 
 /**
  * Friction of a manifold at the centre of its points: against sliding in any direction with one coefficient (Coulomb's
@@ -25,15 +24,7 @@ final class FrictionRows {
     private static final int ABOUT_AXIS = TURNED + 13;
     private static final int AXIS = TURNED + 14;
     private static final int ROLL = TURNED + 17;
-    /**
-     * Sliding speed of solids that move in their bodies along both tangents, m/s, and their spin about the normal,
-     * rad/s.
-     */
-    private static final int DRIVEN = TURNED + 20;
-    static final int SIZE = TURNED + 23;
-    /** Rows with hinge levers: both tangents, and spinning, which turns no hinge. */
-    static final int HINGED = 3;
-    private static final int FIRST_ROW = Manifold.MAX_POINTS;
+    static final int SIZE = TURNED + 20;
     /**
      * Rolling resistance of edges and corners, metres: without it a box that leans on others by corners would rock for
      * ever. A tenth of the value of a hard wheel on a hard floor.
@@ -47,11 +38,8 @@ final class FrictionRows {
 
     /**
      * Sets up the rows at the centre of the manifold's points: {mx, my, mz}, metres, world frame.
-     * @param gone elapsed time of the step, seconds
-     * @param levers of the hinges; null without hinges
      */
-    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, double gone,
-        HingeLevers levers) {
+    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz) {
         r[at + NORMAL] = of.nx;
         r[at + NORMAL + 1] = of.ny;
         r[at + NORMAL + 2] = of.nz;
@@ -60,7 +48,6 @@ final class FrictionRows {
         r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1]
             + of.fz * r[at + SECOND + 2];
         r[at + TURNED] = of.turned;
-        drive(r, at, of, mx, my, mz, gone, levers);
         PairRow.turn(r, at + NORMAL, at + TURN_A, of.a, of.massA > 0);
         PairRow.turn(r, at + NORMAL, at + TURN_B, of.b, of.massB > 0);
         double yields = PairRow.dot(r, at + NORMAL, at + TURN_A) + PairRow.dot(r, at + NORMAL, at + TURN_B);
@@ -74,28 +61,6 @@ final class FrictionRows {
         } else if (of.rocks && of.count < STANDS) {
             r[at + LEVER] = ROCKING;
             aboutAll(r, at, of);
-        }
-    }
-
-    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, double gone,
-        HingeLevers levers) {
-        for (int i = 0; i < 3; i++) {
-            r[at + DRIVEN + i] = 0;
-        }
-        if (of.isDriven()) {
-            r[at + DRIVEN] = of.driven(r, at, mx, my, mz, gone);
-            r[at + DRIVEN + 1] = of.driven(r, at + SECOND, mx, my, mz, gone);
-            // one metre away, since the moving solid is rigid; the second tangent is the normal times the first
-            r[at + DRIVEN + 2] = of.driven(r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone)
-                - r[at + DRIVEN + 1];
-            if (levers != null) {
-                of.setLevers(levers, FIRST_ROW, r, at, mx, my, mz, gone);
-                of.setLevers(levers, FIRST_ROW + 1, r, at + SECOND, mx, my, mz, gone);
-                r[at + PairRow.MASS] = levers.mass(FIRST_ROW, r[at + PairRow.MASS]);
-                r[at + SECOND + PairRow.MASS] = levers.mass(FIRST_ROW + 1, r[at + SECOND + PairRow.MASS]);
-                of.setLevers(levers, FIRST_ROW + 2, r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone);
-                levers.subtract(FIRST_ROW + 2, FIRST_ROW + 1);
-            }
         }
     }
 
@@ -216,8 +181,8 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] *= scale;
         r[at + SECOND + PairRow.IMPULSE] *= scale;
         r[at + TURNED] *= scale;
-        rows.applyImpulse(slot, FIRST_ROW, at, r[at + PairRow.IMPULSE]);
-        rows.applyImpulse(slot, FIRST_ROW + 1, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, at, r[at + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
         twist(r, at, rows, slot, r[at + TURNED]);
         if (r[at + LEVER] > 0) {
             for (int i = 0; i < 3; i++) {
@@ -251,27 +216,24 @@ final class FrictionRows {
         double pressing) {
         double[] p = rows.speedsA(slot);
         double[] q = rows.speedsB(slot);
-        HingeLevers levers = rows.levers(slot);
         if (r[at + LEVER] > 0 && (pressing > 0 || rolls(r, at))) {
             solveRolling(r, at, rows, slot, pressing * r[at + LEVER]);
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {
             double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4])
-                + r[at + NORMAL + 2] * (p[5] - q[5])
-                - r[at + DRIVEN + 2] - (levers == null ? 0 : levers.speed(FIRST_ROW + 2));
+                + r[at + NORMAL + 2] * (p[5] - q[5]);
             double sum = Math.max(-mostTurning, Math.min(mostTurning, r[at + TURNED] - r[at + TURNING_MASS] * turning));
             twist(r, at, rows, slot, sum - r[at + TURNED]);
             r[at + TURNED] = sum;
         }
-        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN] + (levers == null ? 0 : levers.speed(FIRST_ROW)));
-        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1]
-            + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
+        double one = PairRow.wanted(r, at, p, q, 0);
+        double other = PairRow.wanted(r, at + SECOND, p, q, 0);
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
         rows.note((one * scale - r[at + PairRow.IMPULSE]) / r[at + PairRow.MASS]);
         rows.note((other * scale - r[at + SECOND + PairRow.IMPULSE]) / r[at + SECOND + PairRow.MASS]);
-        rows.applyImpulse(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);
-        rows.applyImpulse(slot, FIRST_ROW + 1, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, at, one * scale - r[at + PairRow.IMPULSE]);
+        rows.applyImpulse(slot, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
         r[at + PairRow.IMPULSE] = one * scale;
         r[at + SECOND + PairRow.IMPULSE] = other * scale;
     }

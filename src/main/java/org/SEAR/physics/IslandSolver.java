@@ -3,7 +3,6 @@ package org.SEAR.physics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.SEAR.physics.solid.Hinge;
 
 /**
  * Moves the bodies of an island through a step, in small substeps (Macklin 2019, "Small steps in physics simulation").
@@ -91,8 +90,6 @@ final class IslandSolver {
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
     private List<JointedBodies> mechanisms;
-    /** Hinges that turn in this step. */
-    private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
     private final PositionCorrection correction = new PositionCorrection();
     private final ConjugateDirection directions = new ConjugateDirection();
@@ -144,14 +141,12 @@ final class IslandSolver {
         for (int i = 0; i < mechanisms.size(); i++) {
             mechanisms.get(i).begin();
         }
-        if (pairs.isEmpty() && mechanisms.isEmpty() && !isCarriedByHinge()) {
+        if (pairs.isEmpty() && mechanisms.isEmpty()) {
             stepAlone(seconds);
             return;
         }
         alone = bodies.size() == 1 && drives.isEmpty() && mechanisms.isEmpty() && !bodies.get(0).canRoll();
-        collectHinges();
         double substep = seconds / substeps(seconds);
-        prepareHinges(substep);
         stackOrder.sort(pairs);
         rows.clear();
         ofMeshes.clear();
@@ -177,19 +172,6 @@ final class IslandSolver {
         for (int i = 0; i < mechanisms.size(); i++) {
             mechanisms.get(i).mechanism.endStep(seconds);
         }
-    }
-
-    /** Whether wheels stand on a robot with a moving servo. */
-    private boolean isCarriedByHinge() {
-        for (int i = 0; i < drives.size(); i++) {
-            List<Body> under = drives.get(i).drive.loaded();
-            for (int k = 0; k < under.size(); k++) {
-                if (!under.get(k).inner().hinges().isEmpty()) {
-                    return true;
-                }
-            }
-        }
-        return false;
     }
 
     /** Moves bodies without contacts; only wheels are solved. */
@@ -234,19 +216,6 @@ final class IslandSolver {
         wheels.drive.prepare(wheels.body.getSolver());
     }
 
-    private void collectHinges() {
-        hinges.clear();
-        for (int i = 0; i < bodies.size(); i++) {
-            hinges.addAll(bodies.get(i).inner().hinges());
-        }
-    }
-
-    private void prepareHinges(double substep) {
-        for (int i = 0; i < hinges.size(); i++) {
-            hinges.get(i).prepare(substep);
-        }
-    }
-
     private int substeps(double seconds) {
         lightest = 0;
         heaviest = Double.POSITIVE_INFINITY;
@@ -284,7 +253,7 @@ final class IslandSolver {
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         int work = (points + WHEELS * drives.size()) * substeps;
         int rounds = (int) Math.max(1, Math.min(needed, (double) MAX_PASSES_WORK / Math.max(1, work)));
-        boolean driven = !drives.isEmpty() || !hinges.isEmpty() || !mechanisms.isEmpty() && !pairs.isEmpty();
+        boolean driven = !drives.isEmpty() || !mechanisms.isEmpty() && !pairs.isEmpty();
         int usual = Math.max(2, driven ? 2 * rounds - 1 : 2 * rounds - 2);
         leastPasses = driven ? usual : 1;
         calm = fast <= CALM && !isDeep();
@@ -345,9 +314,6 @@ final class IslandSolver {
             bodies.get(i).getSolver().fall(taken, gravity);
             bodies.get(i).getSolver().gyrate();
         }
-        for (int i = 0; i < hinges.size(); i++) {
-            hinges.get(i).begin(taken);
-        }
         for (int i = 0; i < mechanisms.size(); i++) {
             mechanisms.get(i).mechanism.prepare(taken, gravity);
         }
@@ -359,9 +325,6 @@ final class IslandSolver {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().advance(gravity);
         }
-        for (int i = 0; i < hinges.size(); i++) {
-            hinges.get(i).advance();
-        }
         for (int i = 0; i < mechanisms.size(); i++) {
             mechanisms.get(i).mechanism.keepPositions();
         }
@@ -369,10 +332,6 @@ final class IslandSolver {
         correction.run(rows, bodies, taken);
         for (int i = 0; i < mechanisms.size() && !pairs.isEmpty(); i++) {
             mechanisms.get(i).mechanism.returnToJoints();
-        }
-        if (!hinges.isEmpty()) {
-            solveDrives();
-            rows.solve(false, true);
         }
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().slow();
@@ -411,7 +370,7 @@ final class IslandSolver {
             passes++;
             solveDrives();
             double jointChange = solveJoints();
-            rows.solve(pass == 1, false);
+            rows.solve(pass == 1);
             last |= pass >= leastPasses && rows.getResidual() <= converged && (pass == 1 || jointChange <= converged);
             if (accelerated && !last) {
                 directions.advance(rows);
@@ -432,11 +391,8 @@ final class IslandSolver {
         return change;
     }
 
-    /** Solves wheels and the motors of hinges. */
+    /** Solves wheels. */
     private void solveDrives() {
-        for (int i = 0; i < hinges.size(); i++) {
-            hinges.get(i).solve();
-        }
         for (int k = 0; k < WHEEL_PASSES && !drives.isEmpty(); k++) {
             for (int i = 0; i < drives.size(); i++) {
                 drives.get(i).drive.solve(drives.get(i).body.getSolver());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
-import org.SEAR.physics.solid.HingeLevers;
 import org.SEAR.physics.solid.Surface;
 
 /**
@@ -325,35 +324,6 @@ final class Manifold {
     private double lead(Body body, SolverBody solver, int solid, int frame, double ahead) {
         return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2])
             ? ahead / 2 : 0;
-    }
-
-    /** Whether one of the solids moves in its body. */
-    boolean isDriven() {
-        return bodyA.inner().moves(solidA) || bodyB.inner().moves(solidB);
-    }
-
-    /**
-     * Returns the approach speed at a point due to solids that move in their bodies, m/s; the bodies have to separate
-     * at this speed.
-     * @param d holds a unit direction, world frame, three numbers from {@code i} on: from the second body to the first
-     * @param gone elapsed time of the step, seconds
-     */
-    double driven(double[] d, int i, double x, double y, double z, double gone) {
-        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, i, x, y, z, gone) : 0;
-        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, i, x, y, z, gone) : 0;
-        return ofB - ofA;
-    }
-
-    /** Sets the hinges of both solids; returns whether one yields. */
-    boolean yields(HingeLevers levers) {
-        levers.set(bodyA.inner().hinge(solidA), bodyB.inner().hinge(solidB));
-        return levers.any();
-    }
-
-    /** Sets the hinges' levers at a point along a direction, signed as in {@link #driven}. */
-    void setLevers(HingeLevers levers, int row, double[] d, int i, double x, double y, double z, double gone) {
-        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, i, x, y, z, gone),
-            bodyB.inner().lever(solidB, b.place, d, i, x, y, z, gone));
     }
 
     /** Returns the smallest gap of its points, metres. */

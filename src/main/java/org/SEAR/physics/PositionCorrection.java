@@ -34,7 +34,7 @@ final class PositionCorrection {
             if (rows.points(slot) > 0) {
                 rows.measure(slot);
                 stayOut(rows, slot);
-                penetrates |= rows.levers(slot) == null && rows.gap(slot) < -SLOP;
+                penetrates |= rows.gap(slot) < -SLOP;
             }
         }
         if (!penetrates) {
@@ -47,7 +47,7 @@ final class PositionCorrection {
         Arrays.fill(impulses, 0, size, 0);
         double share = Math.min(MAX_SHARE, RATE * seconds);
         for (int slot = 0; slot < rows.size(); slot++) {
-            for (int i = 0; i < rows.points(slot) && rows.levers(slot) == null; i++) {
+            for (int i = 0; i < rows.points(slot); i++) {
                 double gap = rows.gap(slot, i) + SLOP;
                 double distance = gap < 0 ? Math.min(MAX_SPEED * seconds, -gap * share) : -gap;
                 int at = slot * Manifold.MAX_POINTS + i;
@@ -57,14 +57,6 @@ final class PositionCorrection {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().correct();
         }
-    }
-
-    /**
-     * Returns the bias speed of a contact whose hinge yields, m/s: it acts on velocities, and a pass after the bodies
-     * have moved removes it again (soft step: Catto 2024, "Solver2D").
-     */
-    static double speed(double gap, double seconds) {
-        return Math.min(MAX_SPEED, -gap * Math.min(RATE, MAX_SHARE / seconds));
     }
 
     /**

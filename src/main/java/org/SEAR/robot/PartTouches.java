@@ -4,19 +4,34 @@ package org.SEAR.robot;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 
 /** Parts of one robot's body that touch an object now. A sleeping body keeps its last contacts. Simulation thread. */
 final class PartTouches {
+    /** Overlap of a bumper's two switches on each side of the middle, radians: a hit from the front closes both. */
+    private static final double BUMPER_OVERLAP = Math.toRadians(15);
+
     private final Map<String, Integer> solids = new HashMap<>();
     private final boolean[] touched;
     private final int wheelsFrom;
+    private final Body body;
     private boolean any;
+    private boolean bumpedLeft;
+    private boolean bumpedRight;
 
     PartTouches(RobotBuilder from) {
         from.object.getComponents().stream().filter(from.shapes::containsKey)
             .forEach(part -> solids.put(part.getName(), from.solidOf(part)));
-        touched = new boolean[from.body.solids.size()];
+        touched = new boolean[RobotBodies.whole(from.body).solids.size()];
+        body = from.body;
         wheelsFrom = touched.length - from.wheelSolids.size();
+    }
+
+    void restart() {
+        clear();
+        release();
     }
 
     void clear() {
@@ -33,6 +48,30 @@ final class PartTouches {
     void add(int solid) {
         touched[solid] = true;
         any = true;
+    }
+
+    /** Notes the contact of an obstacle with a solid at a point of the world. */
+    void press(int solid, double x, double y, double z) {
+        add(solid);
+        Pose pose = body.getPose();
+        double[] inBody = pose.rotateBack(x - pose.x, y - pose.y, z - pose.z);
+        double angle = Math.atan2(inBody[0], inBody[2]);
+        bumpedLeft |= angle >= -BUMPER_OVERLAP && angle <= Math.PI / 2;
+        bumpedRight |= angle <= BUMPER_OVERLAP && angle >= -Math.PI / 2;
+    }
+
+    /** Releases the bumper. */
+    void release() {
+        bumpedLeft = false;
+        bumpedRight = false;
+    }
+
+    boolean isBumpedLeft() {
+        return bumpedLeft;
+    }
+
+    boolean isBumpedRight() {
+        return bumpedRight;
     }
 
     /** @param part name of a component; null for any part, wheels included */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
@@ -12,8 +13,10 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.solid.BoxSolid;
 import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.RoundSolid;
@@ -37,11 +40,15 @@ public final class RobotBuilder {
     private static final double BARE = 0.02;
     /** Smallest displacement of a centre of mass that counts, metres. */
     private static final double MIN_MOVE = 1e-9;
+    /** Smallest share of a robot's mass that its links leave to the rest. */
+    private static final double MIN_SHARE = 0.01;
 
     final SEARrobot object;
     final Dynamics dynamics;
     final List<Solid> wheelSolids = new ArrayList<>();
     public final Body body;
+    /** Parts that servos turn, as bodies of their own; each after those that carry it. */
+    public final List<RobotLink> links;
     final Stability stability;
     final Spring[] springs;
     /** Greatest distance of the components from the vertical axis, metres. */
@@ -64,9 +71,12 @@ public final class RobotBuilder {
             add(bareBody(), Pose.IDENTITY, true, 1);
         }
         radius = reach();
-        MassProperties masses = masses();
+        links = RobotLink.of(robot, shapes);
+        MassProperties masses = links.isEmpty() ? masses(solids, weights) : baseMasses(warnings);
         double[] centroid = masses.centre();
-        double[] centre = CentreOfMass.place(centroid, weighed(), robot.getWheels());
+        double[] placed = CentreOfMass.place(centroid, weighed(), robot.getWheels());
+        MassProperties own = masses.withCentre(placed).withMass(links.isEmpty() ? dynamics.getMass() : masses.mass);
+        double[] centre = whole(own).centre();
         springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest());
         for (Wheel wheel : robot.getWheels()) {
             Solid solid = Solids.of(wheel, project, warnings);
@@ -80,10 +90,10 @@ public final class RobotBuilder {
             all[i] = places.get(i).times(solids.get(i).offset);
         }
         Pose start = StartPose.of(robot, dynamics, warnings);
-        body = new Body(robot.getName(), masses.withCentre(centre).withMass(dynamics.getMass()), solids, all, start);
-        body.setRobot();
+        Body whole = new Body(robot.getName(), whole(own), solids, all, start);
+        body = divide(whole, own);
         hasFarWheels = UnitMistakes.report(robot, shapes, warnings);
-        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2])
+        stability = new Stability(centre, feet(), Math.hypot(placed[0] - centroid[0], placed[2] - centroid[2])
             > MIN_MOVE);
     }
 
@@ -107,7 +117,53 @@ public final class RobotBuilder {
                 + "and start pose")));
     }
 
-    /** Returns the index of a component's solid in the body. */
+    /** Returns the body of the parts that no servo turns, and makes those of the links. */
+    private Body divide(Body whole, MassProperties own) {
+        List<Solid> rest = new ArrayList<>(solids);
+        links.forEach(link -> rest.removeAll(link.solids));
+        Body base = links.isEmpty() ? whole : new Body(whole.name, own, rest, places(rest, whole), whole.getStart());
+        RobotBodies bodies = new RobotBodies(base);
+        bodies.setWhole(whole);
+        links.forEach(link -> bodies.addLink(link.make(base, places(link.solids, whole))));
+        return base;
+    }
+
+    private Pose[] places(List<Solid> of, Body whole) {
+        return of.stream().map(solid -> whole.places[solids.indexOf(solid)]).toArray(Pose[]::new);
+    }
+
+    private MassProperties whole(MassProperties own) {
+        List<MassProperties> parts = new ArrayList<>(List.of(own));
+        links.forEach(link -> parts.add(link.masses));
+        return links.isEmpty() ? own : MassProperties.sum(parts);
+    }
+
+    /**
+     * Returns the mass properties of the parts that no servo turns: what the mass of Dynamics leaves to them, or all of
+     * it if the links weigh as much.
+     */
+    private MassProperties baseMasses(List<String> warnings) {
+        List<Solid> own = new ArrayList<>(solids);
+        links.forEach(link -> own.removeAll(link.solids));
+        if (own.isEmpty()) {
+            add(bareBody(), Pose.IDENTITY, true, 1);
+            own.add(solids.get(solids.size() - 1));
+        }
+        boolean weighs = own.stream().anyMatch(solid -> weights.get(solids.indexOf(solid)) > 0);
+        List<Double> shares = new ArrayList<>();
+        own.forEach(solid -> shares.add(weighs ? weights.get(solids.indexOf(solid)) : solid.volume()));
+        double turned = links.stream().mapToDouble(link -> link.masses.mass).sum();
+        double left = dynamics.getMass() - turned;
+        if (left < MIN_SHARE * dynamics.getMass()) {
+            left = dynamics.getMass();
+            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg in all: the parts on its servos weigh %s kg,"
+                + " and the mass of its Dynamics, %s kg, should include them", object.getName(),
+                Parameter.format(turned + left), Parameter.format(turned), Parameter.format(left)));
+        }
+        return masses(own, shares).withMass(left);
+    }
+
+    /** Returns the index of a component's solid in the whole body. */
     int solidOf(SearObject part) {
         return solids.indexOf(shapes.get(part));
     }
@@ -169,11 +225,12 @@ public final class RobotBuilder {
     }
 
     /** Returns the mass properties of the components in the body frame, with their weights for masses. */
-    private MassProperties masses() {
+    private MassProperties masses(List<Solid> of, List<Double> shares) {
         List<MassProperties> parts = new ArrayList<>();
-        for (int i = 0; i < solids.size(); i++) {
-            Pose place = places.get(i).times(solids.get(i).offset);
-            parts.add(solids.get(i).perKilogram().withMass(weights.get(i)).inParent(place));
+        for (int i = 0; i < of.size(); i++) {
+            Solid solid = of.get(i);
+            Pose place = places.get(solids.indexOf(solid)).times(solid.offset);
+            parts.add(solid.perKilogram().withMass(shares.get(i)).inParent(place));
         }
         return MassProperties.sum(parts);
     }
@@ -202,6 +259,13 @@ public final class RobotBuilder {
 
     /** Adds the components to the scenes, invisible to the robot's own rays. The wheels' guards are not added. */
     public void addTo(RaycastScenes scenes, int owner) {
-        body.addTo(scenes, visible, owner, solids.size() - wheelSolids.size());
+        addTo(scenes, owner, body, body.solids.size() - wheelSolids.size());
+        links.forEach(link -> addTo(scenes, owner, link.getBody(), link.solids.size()));
+    }
+
+    private void addTo(RaycastScenes scenes, int owner, Body of, int count) {
+        List<Boolean> seen = new ArrayList<>();
+        of.solids.forEach(solid -> seen.add(visible.get(solids.indexOf(solid))));
+        of.addTo(scenes, seen, owner, count);
     }
 }

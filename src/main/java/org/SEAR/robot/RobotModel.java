@@ -18,6 +18,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.robot.wheel.DriveTrain;
 import org.SEAR.robot.wheel.MotorDrive;
@@ -29,8 +30,6 @@ import org.SEAR.sensors.Sensor;
 
 /** Robot of the world, and its hardware as firmware sees it. Simulation thread. */
 public final class RobotModel implements Robot, RobotHardware {
-    /** Overlap of a bumper's two switches on each side of the middle, radians: a hit from the front closes both. */
-    private static final double BUMPER_OVERLAP = Math.toRadians(15);
     /** Vertical part of the normal above which a surface is floor or ceiling, not an obstacle. */
     private static final double LEVEL = 0.7;
     /** Share of the rest length above which a wheel counts as dropped. */
@@ -42,6 +41,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final Dynamics dynamics;
     private final int number;
     private final Body body;
+    private final List<RobotLink> links;
     private final RaycastScenes scenes;
     private final RobotTruth truth;
     private final VirtualWalls virtualWalls;
@@ -60,8 +60,6 @@ public final class RobotModel implements Robot, RobotHardware {
     private DriveTrain train;
     private SEARrobot written;
     private final Frame frame = new Frame();
-    private boolean bumpedLeft;
-    private boolean bumpedRight;
     private int unsettled;
     /** Whether {@link #drive} set the steering, not a command of its own. */
     private boolean steersToDrive;
@@ -77,6 +75,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.written = from.object;
         this.dynamics = from.dynamics;
         this.body = from.body;
+        this.links = from.links;
         this.wheelSolids = from.wheelSolids;
         this.bodyRadius = from.radius;
         this.hasFarWheels = from.hasFarWheels;
@@ -107,6 +106,13 @@ public final class RobotModel implements Robot, RobotHardware {
         turrets.add(sensor);
     }
 
+    /** Adds its bodies and joints to the physics. */
+    public void addTo(PhysicsWorld physics) {
+        physics.add(body);
+        links.forEach(link -> physics.add(link.getBody()));
+        turrets.addTo(physics);
+    }
+
     /** Moves the servos to their start, before the physics restarts. */
     public void rewind() {
         turrets.restart();
@@ -117,14 +123,13 @@ public final class RobotModel implements Robot, RobotHardware {
      * @param seed random seed of the simulation
      */
     public void restart(PhysicsWorld physics, long seed) {
+        turrets.attach();
         WheelErrors errors = new WheelErrors(dynamics.getErrors(), seed, object.getName());
         train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number, reported);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }
-        bumpedLeft = false;
-        bumpedRight = false;
-        truth.touches().clear();
+        truth.touches().restart();
         lights.restart();
         steersToDrive = false;
         unsettled = SETTLING;
@@ -137,6 +142,7 @@ public final class RobotModel implements Robot, RobotHardware {
      * @param start pose for the next start
      */
     public void move(PhysicsWorld physics, Pose start, Pose to) {
+        turrets.move(physics, start, to);
         physics.move(body, start, to);
         truth.touches().clear();
         truth.moved();
@@ -175,16 +181,16 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         if (awake) {
             train.roll();
+            turrets.follow();
             mirror();
             truth.touches().clear();
         }
-        bumpedLeft = false;
-        bumpedRight = false;
+        truth.touches().release();
         for (int i = 0; awake && i < wheelShapes.length; i++) {
             Obstacle obstacle = train.getWheels().get(i).getObstacle();
             if (obstacle.isPressed()) {
-                press(body.solids.size() - wheelShapes.length + i, obstacle.point.x, obstacle.point.y,
-                    obstacle.point.z);
+                truth.touches().press(RobotBodies.whole(body).solids.size() - wheelShapes.length + i, obstacle.point.x,
+                    obstacle.point.y, obstacle.point.z);
             }
         }
     }
@@ -192,6 +198,9 @@ public final class RobotModel implements Robot, RobotHardware {
     /** Copies its poses to the scenes. */
     public void mirror() {
         body.mirror(scenes);
+        for (int i = 0; i < links.size(); i++) {
+            links.get(i).getBody().mirror(scenes);
+        }
         for (int i = 0; i < wheelShapes.length; i++) {
             frame.set(body.getPose());
             train.getWheels().get(i).place(frame);
@@ -201,26 +210,17 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /**
-     * Notes a contact of the body.
-     * @param solid index of the touched solid
+     * Notes a contact of one of its bodies.
+     * @param index of the touched solid in that body
      * @param normal of the touching surface; its vertical part decides whether it is an obstacle
      */
-    public void touch(int solid, Vector3f at, Vector3f normal) {
+    public void touch(Body of, int index, Vector3f at, Vector3f normal) {
+        int solid = links.isEmpty() ? index : RobotBodies.whole(body).solids.indexOf(of.solids.get(index));
         if (Math.abs(normal.y) <= LEVEL) {
-            press(solid, at.x, at.y, at.z);
+            truth.touches().press(solid, at.x, at.y, at.z);
         } else if (!truth.touches().isWheel(solid)) {
             truth.touches().add(solid);
         }
-    }
-
-    /** Notes the contact of an obstacle with a solid at a point of the world. */
-    private void press(int solid, double x, double y, double z) {
-        truth.touches().add(solid);
-        Pose pose = body.getPose();
-        double[] inBody = pose.rotateBack(x - pose.x, y - pose.y, z - pose.z);
-        double angle = Math.atan2(inBody[0], inBody[2]);
-        bumpedLeft |= angle >= -BUMPER_OVERLAP && angle <= Math.PI / 2;
-        bumpedRight |= angle <= BUMPER_OVERLAP && angle >= -Math.PI / 2;
     }
 
     /**
@@ -473,12 +473,12 @@ public final class RobotModel implements Robot, RobotHardware {
 
     @Override
     public boolean isBumpedLeft() {
-        return bumpedLeft;
+        return truth.touches().isBumpedLeft();
     }
 
     @Override
     public boolean isBumpedRight() {
-        return bumpedRight;
+        return truth.touches().isBumpedRight();
     }
 
     @Override

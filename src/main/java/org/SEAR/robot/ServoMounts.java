@@ -2,108 +2,85 @@
 package org.SEAR.robot;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
-import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.solid.Hinge;
-import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.joint.HingeJoint;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.robot.servo.ServoDrive;
 import org.SEAR.sensors.Sensor;
 
 /**
- * Servos of one robot and the sensors and parts mounted on them. A turning part pushes bodies that it touches; the
- * robot's mass distribution stays as at the start. Simulation thread.
+ * Servos of one robot and the sensors and parts mounted on them. A servo that turns shapes is a hinge between two
+ * bodies of the physics. Simulation thread.
  */
 final class ServoMounts {
-    private static final int NONE = -1;
-
     private final List<SearObject> parts;
     private final Body body;
-    private final RobotBuilder shapes;
-    /** Per component: its servo, or null; and the index of the servo that turns it, or NONE. */
+    private final List<RobotLink> links;
+    /** Per component: its servo, or null; its link, or null; and the index of the servo that turns it, or NONE. */
     private final ServoDrive[] servos;
+    private final RobotLink[] linkOf;
     private final int[] carriers;
     private final Pose[] homes;
-    private final Pose[] turns;
     private final List<Sensor<?>> sensors = new ArrayList<>();
     private final boolean any;
     private List<Pose> poses = List.of();
 
     /** @param reported takes warnings during the run */
     ServoMounts(RobotBuilder from, Consumer<String> reported) {
-        shapes = from;
-        parts = from.object.getComponents();
+        SEARrobot robot = from.object;
+        parts = robot.getComponents();
         body = from.body;
+        links = from.links;
         servos = new ServoDrive[parts.size()];
+        linkOf = new RobotLink[parts.size()];
         carriers = new int[parts.size()];
         homes = new Pose[parts.size()];
-        turns = new Pose[parts.size()];
         boolean found = false;
         for (int i = 0; i < servos.length; i++) {
             homes[i] = ObjectPose.of(parts.get(i));
-            carriers[i] = carrier(parts.get(i));
+            carriers[i] = RobotLink.carrier(parts, i);
             if (parts.get(i) instanceof Servo) {
-                servos[i] = new ServoDrive((Servo) parts.get(i), from.object.getName(), reported);
+                servos[i] = new ServoDrive((Servo) parts.get(i), robot.getName(), reported);
                 found = true;
             }
         }
         any = found;
+        links.forEach(link -> linkOf[link.servo] = link);
         if (any) {
-            weigh();
-            body.setLeastReach(reach());
-            body.inner().onYield(this::giveWay);
-            place(this::put);
+            restart();
         }
     }
 
-    private int carrier(SearObject part) {
-        for (int i = 0; i < parts.size(); i++) {
-            if (parts.get(i) instanceof Servo && ((Servo) parts.get(i)).getPartNames().contains(part.getName())) {
-                return i;
+    /** Adds the bodies and hinges of its servos to the physics. */
+    void addTo(PhysicsWorld physics) {
+        for (RobotLink link : links) {
+            Body carrier = carrier(link);
+            HingeJoint hinge = new HingeJoint(carrier.forJoints(), link.getBody().forJoints());
+            servos[link.servo].setHinge(hinge, () -> isTouched(link));
+            physics.add(hinge, true, carrier, link.getBody());
+        }
+    }
+
+    private Body carrier(RobotLink link) {
+        return link.carrier == null ? body : link.carrier.getBody();
+    }
+
+    /** Whether something touches a link, or one that it carries. */
+    private boolean isTouched(RobotLink link) {
+        return links.stream().anyMatch(other -> {
+            RobotLink one = other;
+            while (one != null && one != link) {
+                one = one.carrier;
             }
-        }
-        return NONE;
-    }
-
-    /** Adds the masses on each servo to its load. */
-    private void weigh() {
-        for (int i = 0; i < servos.length; i++) {
-            Solid solid = shapes.shapes.get(parts.get(i));
-            double mass = solid == null ? 0 : ((Shape) parts.get(i)).getMass();
-            for (int carrier = carriers[i]; mass > 0 && carrier != NONE; carrier = carriers[carrier]) {
-                servos[carrier].getLoad().add(i, solid.perKilogram().withMass(mass).inParent(solid.offset));
-            }
-        }
-    }
-
-    /** Returns an upper bound of the distance from the centre of mass that a turning part can reach, metres. */
-    private double reach() {
-        double most = 0;
-        double[] centre = body.getCentre();
-        for (int i = 0; i < homes.length; i++) {
-            if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                double way = shapes.shapes.get(parts.get(i)).convex().radius()
-                    + distance(shapes.shapes.get(parts.get(i)).offset, Pose.IDENTITY);
-                Pose from = homes[i];
-                for (int carrier = carriers[i]; carrier != NONE; carrier = carriers[carrier]) {
-                    way += distance(from, homes[carrier]);
-                    from = homes[carrier];
-                }
-                most = Math.max(most, way + distance(from, new Pose(centre[0], centre[1], centre[2], 0, 0, 0, 1)));
-            }
-        }
-        return most;
-    }
-
-    private static double distance(Pose a, Pose b) {
-        return Math.sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
+            return one == link && !other.getBody().isFree();
+        });
     }
 
     void add(Sensor<?> sensor) {
@@ -128,86 +105,94 @@ final class ServoMounts {
                     servo.restart();
                 }
             }
-            place(this::put);
+            for (RobotLink link : links) {
+                link.getBody().setStart(carrier(link).getStart().times(servos[link.servo].turn()));
+            }
+            place();
+        }
+    }
+
+    /** Attaches the hinges to their bodies; after the physics has restarted. */
+    void attach() {
+        for (RobotLink link : links) {
+            servos[link.servo].attach(carrier(link).getPose(), link.getBody().getPose());
         }
     }
 
     /**
-     * Turns the servos and their parts for one step.
-     * @return whether a servo has turned
+     * Teleports the bodies of its servos along with the robot; the servos keep their angles.
+     * @param start of the robot's body
+     * @param to pose of the robot's body, which has not moved yet
+     */
+    void move(PhysicsWorld physics, Pose start, Pose to) {
+        for (RobotLink link : links) {
+            Body one = link.getBody();
+            physics.move(one, start.times(relative(body.getStart(), one.getStart())), to.times(within(one)));
+        }
+    }
+
+    /**
+     * Begins a step of the servos.
+     * @return whether a servo moves
      */
     boolean step() {
+        boolean moves = false;
         boolean turned = false;
         for (int i = 0; any && i < servos.length; i++) {
-            turned |= servos[i] != null && servos[i].step(body.getPose(), PhysicsWorld.GRAVITY, poses.get(i));
+            if (servos[i] != null) {
+                boolean one = servos[i].step();
+                moves |= one;
+                turned |= one && linkOf[i] == null;
+            }
         }
         if (turned) {
-            place(body::move);
+            place();
         }
-        return turned;
+        return moves;
     }
 
-    /** Corrects the angles of servos that were blocked by a contact. */
-    private void giveWay() {
-        for (ServoDrive servo : servos) {
-            if (servo != null && servo.getHinge() != null) {
-                servo.giveWay();
-            }
+    /** Takes over the angles after a physics step. */
+    void follow() {
+        for (int i = 0; i < links.size(); i++) {
+            servos[links.get(i).servo].follow();
         }
-        place(body::move);
+        if (!links.isEmpty()) {
+            place();
+        }
     }
 
-    private void put(int solid, Pose place, Hinge hinge) {
-        body.setPlace(solid, place);
-    }
-
-    /** Receives the poses of its shapes. */
-    private interface Places {
-        void put(int solid, Pose place, Hinge hinge);
-    }
-
-    private void place(Places of) {
+    private void place() {
         Pose[] now = new Pose[homes.length];
-        Arrays.fill(turns, null);
         for (int i = 0; i < now.length; i++) {
-            now[i] = carriers[i] == NONE ? homes[i] : turned(carriers[i]).times(homes[i]);
-            if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset),
-                    hinge(carriers[i]));
-            }
-        }
-        for (int i = 0; i < servos.length; i++) {
-            if (servos[i] != null) {
-                servos[i].getLoad().place(now, i);
-            }
+            now[i] = carriers[i] == RobotLink.NONE ? homes[i] : frame(carriers[i]).times(homes[i]);
         }
         poses = List.of(now);
         sensors.forEach(this::follow);
     }
 
-    /**
-     * Returns the nearest hinge that turns in this step, of a servo and those that it is mounted on; this hinge yields.
-     */
-    private Hinge hinge(int servo) {
-        Hinge found = null;
-        for (int carrier = servo; carrier != NONE && found == null; carrier = carriers[carrier]) {
-            found = servos[carrier].getHinge();
+    /** Returns the pose of a servo's parts in the robot's frame; the identity with all servos at 0 degrees. */
+    private Pose frame(int servo) {
+        if (linkOf[servo] != null) {
+            return within(linkOf[servo].getBody());
         }
-        return found;
+        Pose own = servos[servo].turn();
+        return carriers[servo] == RobotLink.NONE ? own : frame(carriers[servo]).times(own);
     }
 
-    /** Returns the rotation that a servo, and those that it is mounted on, apply to its parts. */
-    private Pose turned(int servo) {
-        if (turns[servo] == null) {
-            Pose own = servos[servo].turn();
-            turns[servo] = carriers[servo] == NONE ? own : turned(carriers[servo]).times(own);
-        }
-        return turns[servo];
+    private Pose within(Body link) {
+        return relative(body.getPose(), link.getPose());
+    }
+
+    private static Pose relative(Pose frame, Pose pose) {
+        double[] at = frame.rotateBack(pose.x - frame.x, pose.y - frame.y, pose.z - frame.z);
+        Pose turned = new Pose(0, 0, 0, -frame.qx, -frame.qy, -frame.qz, frame.qw)
+            .times(new Pose(0, 0, 0, pose.qx, pose.qy, pose.qz, pose.qw));
+        return new Pose(at[0], at[1], at[2], turned.qx, turned.qy, turned.qz, turned.qw);
     }
 
     private void follow(Sensor<?> sensor) {
         int index = parts.indexOf(sensor.getParameters());
-        if (any && carriers[index] != NONE) {
+        if (any && carriers[index] != RobotLink.NONE) {
             sensor.setMount(poses.get(index));
         }
     }

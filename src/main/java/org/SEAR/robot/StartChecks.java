@@ -15,6 +15,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.wheel.SpringDesign;
 
@@ -146,7 +147,7 @@ public final class StartChecks {
                 weakest = weakest == null || motor.getStallTorque() < weakest.getStallTorque() ? motor : weakest;
             }
         }
-        double mass = robot.getBody().mass;
+        double mass = RobotBodies.whole(robot.getBody()).mass;
         boolean byMotorsOnly = object.getWheels().stream()
             .allMatch(wheel -> !wheel.isDriven() || turned.contains(wheel.getName()));
         if (weakest != null && byMotorsOnly && force < WEAK * mass) {
@@ -159,9 +160,9 @@ public final class StartChecks {
     }
 
     private static void checkSprings(RobotModel robot, boolean sideways, String way, List<String> warnings) {
-        double[] centre = robot.getBody().getCentre();
+        double[] centre = RobotBodies.whole(robot.getBody()).getCentre();
         double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre,
-            robot.getBody().mass, sideways);
+            RobotBodies.whole(robot.getBody()).mass, sideways);
         Double stiffness = robot.getDynamics().getStiffness();
         if (stiffness != null && times > 1) {
             warnings.add(String.format(Locale.ROOT, "robot %s falls over %s at rest: its springs of stiffness %s are "

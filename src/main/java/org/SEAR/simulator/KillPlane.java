@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 
 /** Warns of bodies that have fallen out of the world, and stops them far below. Simulation thread. */
 final class KillPlane {
@@ -49,7 +50,7 @@ final class KillPlane {
             Body body = movable[i];
             double y = body.getPose().y;
             if (y < lowest - OUT) {
-                if (!reported[i]) {
+                if (!reported[i] && !RobotBodies.isLink(body)) {
                     reported[i] = true;
                     report(body);
                 }

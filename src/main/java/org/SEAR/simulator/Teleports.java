@@ -13,6 +13,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
@@ -78,7 +79,7 @@ final class Teleports {
         Body fresh;
         if (object instanceof SEARrobot) {
             RobotBuilder builder = RobotBuilder.of((SEARrobot) object, now, new ArrayList<>());
-            fresh = builder.body;
+            fresh = RobotBodies.whole(builder.body);
             places.setDownRobot((SEARrobot) object, fresh, builder.feet());
         } else {
             fresh = World.body(object, now, new ArrayList<>());
@@ -87,7 +88,7 @@ final class Teleports {
         places.end();
         if (!body.isFixed()) {
             List<Body> others = new ArrayList<>(world.getPhysics().getBodies());
-            others.remove(body);
+            others.removeIf(other -> RobotBodies.base(other) == body);
             StartPoses.moveOut(fresh, others, world.getScenes().grounds());
         }
         return fresh.getStart();

@@ -20,6 +20,7 @@ import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.start.GroundDistanceCheck;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.start.DensityCheck;
@@ -103,7 +104,7 @@ final class World implements PhysicsWorld.Touches {
         }
         for (SEARrobot robot : project.getRobots()) {
             RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
-            places.setDownRobot(robot, builder.body, builder.feet());
+            places.setDownRobot(robot, RobotBodies.whole(builder.body), builder.feet());
             add(builder, Earth.of(project, robot), epochMillis, colors, reported);
         }
         places.end();
@@ -139,7 +140,6 @@ final class World implements PhysicsWorld.Touches {
 
     private void add(RobotBuilder builder, Earth earth, long epochMillis, SurfaceColors colors,
         Consumer<String> reported) {
-        physics.add(builder.body);
         shapes.putAll(builder.shapes);
         builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
         builder.addTo(scenes, robots.size());
@@ -147,11 +147,12 @@ final class World implements PhysicsWorld.Touches {
         RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, reported);
         robots.add(model);
         robotOf.put(model.getBody(), model);
+        model.addTo(physics);
     }
 
     /** Lifts bodies out of the ground, and warns of start poses, densities, hulls and sizes that are mistakes. */
     private void moveOutAndCheck() throws ProjectException {
-        List<Body> bodies = physics.getBodies();
+        List<Body> bodies = RobotBodies.wholes(physics.getBodies());
         String crowd = StartPoses.crowd(bodies);
         if (crowd != null) {
             throw new ProjectException(Collections.singletonList(
@@ -350,9 +351,8 @@ final class World implements PhysicsWorld.Touches {
     }
 
     private void touch(Body body, int solid, Vector3f at, Vector3f normal) {
-        RobotModel robot = body.isRobot() ? robotOf.get(body) : null;
-        if (robot != null) {
-            robot.touch(solid, at, normal);
+        if (body.isRobot()) {
+            robotOf.get(RobotBodies.base(body)).touch(body, solid, at, normal);
         }
     }
 
@@ -384,7 +384,7 @@ final class World implements PhysicsWorld.Touches {
                 : name + " is fixed (mass 0)";
             throw new IllegalArgumentException(reason + ", legal: an object with a mass, or a robot");
         }
-        return body.getMassProperties();
+        return RobotBodies.whole(body).getMassProperties();
     }
 
     /** See {@link Solid#outline}. */

@@ -79,7 +79,7 @@ public final class WorldJoints {
     WorldJoints(Project project, PhysicsWorld physics, Consumer<String> reported) {
         this.reported = reported;
         Map<String, Body> bodies = new HashMap<>();
-        physics.getBodies().forEach(body -> bodies.put(body.name, body));
+        physics.getBodies().forEach(body -> bodies.putIfAbsent(body.name, body));
         Map<String, Pose> written = new HashMap<>();
         project.getEnvironment().forEach(thing -> written.put(thing.getName(), ObjectPose.of(thing)));
         project.getRobots().forEach(robot -> written.put(robot.getName(), ObjectPose.of(robot)));

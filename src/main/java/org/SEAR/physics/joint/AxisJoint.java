@@ -47,6 +47,16 @@ public abstract class AxisJoint extends Joint {
     }
 
     @Override
+    final JointAxis servo() {
+        return axis.servoRow() < 0 ? null : axis;
+    }
+
+    @Override
+    final int servoRow() {
+        return heldRows() + axis.servoRow();
+    }
+
+    @Override
     final boolean isStale() {
         return axis.isStale();
     }

@@ -54,7 +54,7 @@ public abstract class Joint {
     }
 
     /** Fixes a frame in each body at their present poses; both are in the world. */
-    final void attach(Pose frameOnA, Pose frameOnB) {
+    public final void attach(Pose frameOnA, Pose frameOnB) {
         attach(frameOnA, a, ownA);
         attach(frameOnB, b, ownB);
         broken = false;
@@ -126,6 +126,16 @@ public abstract class Joint {
     /** Whether the number of its rows has changed. */
     boolean isStale() {
         return false;
+    }
+
+    /** Returns the axis of a servo; null without one. */
+    JointAxis servo() {
+        return null;
+    }
+
+    /** Number of the motor's row of a servo among its rows. */
+    int servoRow() {
+        return -1;
     }
 
     /** Forgets the motion before a restart. */

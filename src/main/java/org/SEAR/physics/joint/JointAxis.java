@@ -15,6 +15,12 @@ public final class JointAxis {
      */
     private static final double SLOW_SPRING = 0.3;
     private static final double SLOW_DAMPER = 1;
+    /** Share of the stall force with which a servo plans to brake: the rest is a reserve. */
+    private static final double BRAKING = 0.9;
+    /** The least such share, against a load that nearly exceeds the motor. */
+    private static final double LEAST_BRAKING = 0.02;
+    /** Share of the stall force from which a servo counts as overloaded. */
+    private static final double OVERLOADED = 0.98;
 
     /** Quantity that a drive controls. */
     public enum Drive {
@@ -22,6 +28,8 @@ public final class JointAxis {
         NONE,
         /** The position, as a servo. */
         POSITION,
+        /** The position, with the whole force of the motor up to the position itself, braking in time. */
+        SERVO,
         /** The speed. */
         SPEED,
         /** The power of the motor, -1 to 1. */
@@ -41,6 +49,8 @@ public final class JointAxis {
     /** Position error at which a position drive has full power. */
     private double range = 1;
     private double target;
+    /** Whether a servo's load cannot move it, as with a worm gear. */
+    private boolean locking;
 
     private double position;
     private double speed;
@@ -48,6 +58,19 @@ public final class JointAxis {
     private double driven;
     private double effort;
     private boolean stale;
+    /** Direction of a locking servo: 1 upwards, -1 downwards. */
+    private double lockSide;
+    /** Inertia that a servo's motor moves, kg or kg m^2; infinite before the first substep. */
+    private double inertia = Double.POSITIVE_INFINITY;
+    /** Force of the load along the axis in the last substep, and its sum over the step. */
+    private double load;
+    private double loads;
+    private double meanLoad;
+    /** Speed of the last substep, and its length. */
+    private double before;
+    private double substep;
+    /** Force of spring and damper per speed in the last substep, N s/m or N m s/rad. */
+    private double softness;
     /** Side of the nearer limit: 1 for the lower, -1 for the upper. */
     private int side = 1;
 
@@ -96,9 +119,16 @@ public final class JointAxis {
      * @param newTarget position, speed or power
      */
     public void drive(Drive newDrive, double newTarget) {
-        stale |= (newDrive == Drive.NONE) != (drive == Drive.NONE);
+        stale |= (newDrive == Drive.NONE) != (drive == Drive.NONE)
+            || (newDrive == Drive.SERVO) != (drive == Drive.SERVO);
         drive = newDrive;
         target = newTarget;
+    }
+
+    /** @param on whether only the motor moves a servo, not its load */
+    public void setLocking(boolean on) {
+        stale |= on != locking;
+        locking = on;
     }
 
     private boolean isLimited() {
@@ -106,12 +136,22 @@ public final class JointAxis {
     }
 
     private boolean isSoft() {
-        return stiffness > 0 || damping > 0;
+        return stiffness > 0 || damping > 0 || losses() > 0;
+    }
+
+    /** Force that a servo's motor loses per speed. */
+    private double losses() {
+        return drive == Drive.SERVO ? stall / fastest : 0;
+    }
+
+    private boolean isLocking() {
+        return locking && drive == Drive.SERVO;
     }
 
     /** Number of its rows. The first one only measures the speed. */
     int rows() {
-        return 1 + (isLimited() ? 1 : 0) + (friction > 0 ? 1 : 0) + (isSoft() ? 1 : 0) + (drive == Drive.NONE ? 0 : 1);
+        return 1 + (isLimited() ? 1 : 0) + (friction > 0 ? 1 : 0) + (isSoft() ? 1 : 0) + (drive == Drive.NONE ? 0 : 1)
+            + (isLocking() ? 1 : 0);
     }
 
     boolean isStale() {
@@ -127,10 +167,20 @@ public final class JointAxis {
         speed = 0;
         driven = 0;
         effort = 0;
+        inertia = Double.POSITIVE_INFINITY;
+        load = 0;
+        meanLoad = 0;
+        beginStep();
     }
 
     void beginStep() {
         driven = 0;
+        loads = 0;
+    }
+
+    /** Sets the position from which an angle counts turns. After the joint is attached. */
+    public void begin(double at) {
+        position = at;
     }
 
     /** Position, m or rad; an angle counts full turns. */
@@ -146,6 +196,16 @@ public final class JointAxis {
     /** Mean force of the drive in the last step, N or N m. */
     public double getEffort() {
         return effort;
+    }
+
+    /** Mean force of the load on a servo along the axis in the last step, N or N m. */
+    public double getLoad() {
+        return meanLoad;
+    }
+
+    /** Whether a servo's motor is too weak for the load against which it turns or holds. */
+    public boolean isOverloaded() {
+        return meanLoad * Math.signum(position - target) >= OVERLOADED * stall;
     }
 
     void setPosition(double at) {
@@ -182,17 +242,28 @@ public final class JointAxis {
             direction.set(row, 1);
             rows.kept[row] = false;
             double mobility = rows.mobility(row);
+            double all = damping + losses();
             double ahead = stiffness * seconds * seconds * mobility < SLOW_SPRING ? 0 : stiffness * seconds;
-            double mean = ahead == 0 && damping * seconds * mobility < SLOW_DAMPER ? damping / 2 : 0;
-            soften(rows, row, damping - mean + ahead, stiffness * (position - rest) + mean * speed, seconds);
+            double mean = ahead == 0 && all * seconds * mobility < SLOW_DAMPER ? all / 2 : 0;
+            softness = all - mean + ahead;
+            soften(rows, row, softness, stiffness * (position - rest) + mean * speed, seconds);
             row++;
         }
+        substep = seconds;
         if (drive != Drive.NONE) {
             JointRows.State before = rows.states[row];
             rows.begin(row);
             direction.set(row, 1);
             rows.kept[row] = false;
             fillDrive(rows, row, before, seconds);
+            row++;
+        }
+        if (isLocking()) {
+            JointRows.State last = rows.states[row];
+            rows.begin(row);
+            lockSide = Math.signum(target - position);
+            direction.set(row, lockSide);
+            rows.bound(row, last, 0, Double.POSITIVE_INFINITY);
         }
     }
 
@@ -239,7 +310,14 @@ public final class JointAxis {
 
     private void fillDrive(JointRows rows, int row, JointRows.State before, double seconds) {
         double losses = stall / fastest;
-        if (drive == Drive.SPEED) {
+        if (drive == Drive.SERVO) {
+            double ahead = Math.signum(target - position);
+            boolean locks = isLocking();
+            rows.bound(row, before, locks && ahead >= 0 ? Double.NEGATIVE_INFINITY : -stall * seconds,
+                locks && ahead <= 0 ? Double.POSITIVE_INFINITY : stall * seconds);
+            rows.target[row] = ahead
+                * Math.min(fastest, approach(Math.abs(target - position) / seconds, braking(ahead) * seconds));
+        } else if (drive == Drive.SPEED) {
             double now = rows.speed(row);
             rows.bound(row, before, -Math.max(0, stall + losses * now) * seconds,
                 Math.max(0, stall - losses * now) * seconds);
@@ -253,14 +331,52 @@ public final class JointAxis {
         }
     }
 
+    /** Returns the deceleration with which a servo can brake, m/s^2 or rad/s^2. */
+    private double braking(double ahead) {
+        double force = isLocking() ? stall : BRAKING * stall - Math.max(0, ahead * load);
+        return Math.max(LEAST_BRAKING * stall, force) / inertia;
+    }
+
+    /**
+     * Returns the greatest speed from which it can still stop, in the fewest substeps with the same loss each.
+     * @param within speed that reaches the target in one substep
+     * @param loss of speed per substep
+     */
+    private static double approach(double within, double loss) {
+        if (loss <= 0) {
+            return 0;
+        }
+        double steps = Math.max(1, Math.ceil((Math.sqrt(1 + 8 * within / loss) - 1) / 2));
+        return within / steps + loss * (steps - 1) / 2;
+    }
+
+    /** Number of the motor's row among its rows if it is a servo; else -1. */
+    int servoRow() {
+        return drive == Drive.SERVO ? rows() - (isLocking() ? 2 : 1) : -1;
+    }
+
+    /** @param impulse that changes the speed of a servo by 1 */
+    void setInertia(double impulse) {
+        inertia = Math.max(0, impulse - substep * softness);
+    }
+
     /** Notes speed and impulses of a substep; returns the whole impulse along the axis. */
     double note(JointRows rows, int at) {
+        before = speed;
         speed = rows.speed(at);
         double sum = 0;
-        for (int row = at + 1; row < at + rows(); row++) {
+        double locked = isLocking() ? lockSide * rows.impulse[at + rows() - 1] : 0;
+        for (int row = at + 1; row < at + rows() - (isLocking() ? 1 : 0); row++) {
             sum += (isLimited() && row == at + 1 ? side : 1) * rows.impulse[row];
         }
-        if (drive != Drive.NONE) {
+        sum += locked;
+        if (drive == Drive.SERVO) {
+            double lost = isSoft() ? rows.impulse[at + servoRow() - 1] : 0;
+            double force = (rows.impulse[at + servoRow()] + lost) / substep;
+            driven += force * substep;
+            load = Double.isInfinite(inertia) ? 0 : inertia * (speed - before) / substep - force - locked / substep;
+            loads += load * substep;
+        } else if (drive != Drive.NONE) {
             driven += rows.impulse[at + rows() - 1];
         }
         return sum;
@@ -269,5 +385,6 @@ public final class JointAxis {
     /** Ends a step. */
     void endStep(double seconds) {
         effort = driven / seconds;
+        meanLoad = loads / seconds;
     }
 }

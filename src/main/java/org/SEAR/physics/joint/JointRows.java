@@ -87,7 +87,9 @@ final class JointRows {
         low[row] = least;
         high[row] = most;
         kept[row] = false;
-        states[row] = before == State.LOW || before == State.HIGH ? before : State.FREE;
+        boolean stays = before == State.LOW ? least > Double.NEGATIVE_INFINITY
+            : before == State.HIGH && most < Double.POSITIVE_INFINITY;
+        states[row] = stays ? before : State.FREE;
         if (states[row] != State.FREE) {
             push(row, before == State.LOW ? least : most);
         }

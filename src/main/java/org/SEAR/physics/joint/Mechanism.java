@@ -2,7 +2,9 @@
 package org.SEAR.physics.joint;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Bodies connected by joints. All rows are solved together, directly, so that a long chain under a heavy load is as
@@ -52,6 +54,9 @@ public final class Mechanism {
     private double[] errorBefore = {};
     /** Acceleration of each position error by the curvature of the bodies' paths, m/s^2 or rad/s^2. */
     private double[] curvature = {};
+    /** Indices of the joints that are servos, and the states of their rows. */
+    private int[] servos = {};
+    private JointRows.State[] before = {};
     private final int couplings;
     private boolean factored;
     private double seconds;
@@ -121,6 +126,34 @@ public final class Mechanism {
             }
         }
         factored = false;
+        measureServos();
+    }
+
+    /** Measures the inertia that each servo moves; all others hold meanwhile. */
+    private void measureServos() {
+        if (servos.length == 0) {
+            return;
+        }
+        boolean held = true;
+        for (int i = 0; i < servos.length; i++) {
+            int row = servoRow(i);
+            before[i] = rows.states[row];
+            held &= before[i] == JointRows.State.FREE;
+            rows.states[row] = JointRows.State.FREE;
+        }
+        factor();
+        for (int i = 0; i < servos.length; i++) {
+            Arrays.fill(change, 0);
+            change[servoRow(i)] = 1;
+            matrix.solve(change);
+            joints.get(servos[i]).servo().setInertia(change[servoRow(i)]);
+            rows.states[servoRow(i)] = before[i];
+        }
+        factored = held;
+    }
+
+    private int servoRow(int servo) {
+        return firsts[servos[servo]] + joints.get(servos[servo]).servoRow();
     }
 
     /** Whether a row holds its position from both sides. */
@@ -174,6 +207,8 @@ public final class Mechanism {
         change = new double[size];
         errorBefore = new double[size];
         curvature = new double[size];
+        servos = IntStream.range(0, joints.size()).filter(i -> joints.get(i).servo() != null).toArray();
+        before = new JointRows.State[servos.length];
         matrix.analyse(size, starts, columns);
     }
 

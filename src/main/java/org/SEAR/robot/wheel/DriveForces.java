@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
@@ -38,7 +39,8 @@ final class DriveForces {
     final double brakeRamp;
 
     /** Sets the limits of wheels without a {@link MotorDrive}. */
-    DriveForces(Body body, List<RaycastWheel> wheels) {
+    DriveForces(Body of, List<RaycastWheel> wheels) {
+        Body body = RobotBodies.whole(of);
         List<RaycastWheel> driven = wheels.stream().filter(RaycastWheel::isDriven).collect(Collectors.toList());
         track = mean(driven, 1) + mean(driven, -1);
         double widest = driven.stream().mapToDouble(wheel -> wheel.radius).max().orElse(0);

@@ -35,10 +35,6 @@ final class GroundContact {
     final Vec3 point = new Vec3();
     private final Hit hit = new Hit();
     private Body under;
-    /** Index of the ground's solid, and elapsed time of the step, seconds. */
-    private int solid;
-    private double gone;
-    private double next;
     private boolean touches;
     private double share;
     private double seen;
@@ -62,11 +58,9 @@ final class GroundContact {
         seen = distance - wheel;
         boolean carries = distance < wheel + rest && Math.abs(lean) > (touches ? LETTING_GO : STEEPEST) && normal.y > 0;
         under = carries ? scenes.body(hit.shape) : null;
-        next = 0;
         touches = under != null && (under.isFixed() || seen > -DEEPEST * wheel && !under.isDeep());
         if (touches) {
             under.wake();
-            solid = under.solidOf(hit.shape);
         } else {
             under = null;
         }
@@ -81,8 +75,6 @@ final class GroundContact {
 
     /** Updates the gap for a substep. */
     void prepare(SolverBody body) {
-        gone = next;
-        next += body.seconds();
         gap = seen + body.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
         SolverBody carrier = carrier();
         if (carrier != null) {
@@ -99,9 +91,6 @@ final class GroundContact {
     /** Sets up a row of the wheel at this contact along a direction. */
     void aim(ConstraintRow row, Vec3 along, SolverBody body) {
         row.set(along.x, along.y, along.z, point.x, point.y, point.z, body, carrier());
-        if (carrier() != null && solid >= 0) {
-            row.carry(under, solid, point.x, point.y, point.z, gone);
-        }
     }
 
     boolean touches() {

@@ -41,7 +41,7 @@ final class Suspension {
         double stiffness = share * of.stiffness;
         double damping = share * (spring.speed(body.v) < 0 ? of.compressing : of.releasing);
         double soft = damping + seconds * stiffness;
-        double gap = ground.gap() - spring.way();
+        double gap = ground.gap();
         softness = soft > 0 ? 1 / (seconds * soft) : 0;
         bias = soft > 0 ? stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
         allowed = gap > 0 ? -gap / seconds : -CORRECTION * share * gap;

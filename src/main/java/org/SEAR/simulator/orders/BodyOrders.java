@@ -11,6 +11,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 
 /** Gives bodies their start velocities, and runs commands on bodies during the run. Simulation thread. */
 public final class BodyOrders {
@@ -95,10 +96,10 @@ public final class BodyOrders {
 
     private static void checkStrength(BodyOrder order, Body body) {
         double force = Math.sqrt(order.x * order.x + order.y * order.y + order.z * order.z);
-        double most = BodyOrder.FASTEST * body.mass / TimeStep.SECONDS;
+        double most = BodyOrder.FASTEST * RobotBodies.whole(body).mass / TimeStep.SECONDS;
         if (force > most) {
             throw new IllegalArgumentException(order.name + " is pushed with " + force + " N, legal for its "
-                + body.mass + " kg: at most " + most
+                + RobotBodies.whole(body).mass + " kg: at most " + most
                 + " N");
         }
     }

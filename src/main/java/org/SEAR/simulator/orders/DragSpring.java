@@ -8,6 +8,7 @@ import java.util.function.LongSupplier;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.RobotBodies;
 
 /**
  * A damped spring that pulls an object or robot at its centre of mass, for dragging with the mouse. Each step it
@@ -95,8 +96,8 @@ public final class DragSpring {
             force[i] = FREQUENCY * FREQUENCY * (taken[i] + to[i] - centre[i]) - 2 * FREQUENCY * v[i];
             size += force[i] * force[i];
         }
-        double most = Math.min(STRONGEST * body.mass, BodyOrder.STRONGEST);
-        double scale = Math.min(body.mass, most / Math.max(Math.sqrt(size), Double.MIN_NORMAL));
+        double most = Math.min(STRONGEST * RobotBodies.whole(body).mass, BodyOrder.STRONGEST);
+        double scale = Math.min(RobotBodies.whole(body).mass, most / Math.max(Math.sqrt(size), Double.MIN_NORMAL));
         return new BodyOrder(BodyOrder.Kind.PUSH, name, force[0] * scale, force[1] * scale, force[2] * scale,
             TimeStep.SECONDS);
     }

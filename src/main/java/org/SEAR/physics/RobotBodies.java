@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+package org.SEAR.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * Bodies of one robot: that of its frame, and links that joints connect with it. They pass through each other.
+ * Simulation thread.
+ */
+public final class RobotBodies {
+    private final Body base;
+    private final List<Body> links = new ArrayList<>();
+    private Body whole;
+
+    /** @param base body of the robot's frame */
+    public RobotBodies(Body base) {
+        this.base = base;
+        whole = base;
+        base.setRobot(this);
+    }
+
+    /** Adds a link. */
+    public void addLink(Body link) {
+        links.add(link);
+        link.setRobot(this);
+    }
+
+    /** @param newWhole the robot with all its links in one body, at their start; it takes part in no world */
+    public void setWhole(Body newWhole) {
+        whole = newWhole;
+        whole.setRobot(this);
+    }
+
+    /** Returns the body of the robot's frame; a body of no robot itself. */
+    public static Body base(Body of) {
+        return of.getRobot() == null ? of : of.getRobot().base;
+    }
+
+    /** Returns the robot with all its links in one body, at their start; a body of no robot itself. */
+    public static Body whole(Body of) {
+        return of.getRobot() == null ? of : of.getRobot().whole;
+    }
+
+    /** Whether a body is a link of a robot, not that of its frame. */
+    public static boolean isLink(Body body) {
+        return base(body) != body;
+    }
+
+    /** Returns the bodies with each robot in one body. */
+    public static List<Body> wholes(List<Body> bodies) {
+        return bodies.stream().filter(body -> !isLink(body)).map(RobotBodies::whole).collect(Collectors.toList());
+    }
+
+    /** The whole robot was set to a start pose: so is the body of its frame. */
+    void start(Body placed) {
+        if (placed == whole && whole != base) {
+            base.setStart(placed.getStart());
+        }
+    }
+
+    /** Moves the links along with the body of the robot's frame, whose velocities change to {@code v}. */
+    void follow(double... v) {
+        double[] was = new double[v.length];
+        double[] now = new double[v.length];
+        base.velocities(was);
+        for (Body link : links) {
+            double[] change = new double[v.length];
+            for (int i = 0; i < v.length; i++) {
+                change[i] = v[i] - was[i];
+            }
+            double rx = link.getSolver().place.x - base.getSolver().place.x;
+            double ry = link.getSolver().place.y - base.getSolver().place.y;
+            double rz = link.getSolver().place.z - base.getSolver().place.z;
+            change[0] += change[4] * rz - change[5] * ry;
+            change[1] += change[5] * rx - change[3] * rz;
+            change[2] += change[3] * ry - change[4] * rx;
+            link.velocities(now);
+            link.setVelocities(now[0] + change[0], now[1] + change[1], now[2] + change[2], now[3] + change[3],
+                now[4] + change[4], now[5] + change[5]);
+        }
+    }
+
+    /** Whether a body is that of the robot's frame, and has links. */
+    boolean leads(Body body) {
+        return body == base && !links.isEmpty();
+    }
+}

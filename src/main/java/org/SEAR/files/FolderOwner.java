@@ -10,7 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
 import java.util.logging.Level;
 import java.util.logging.Logger;
@@ -73,8 +75,8 @@ public final class FolderOwner {
             String owner = read(opened);
             opened.close();
             throw new IOException("the project " + project + " is in use by " + owner
-                + ": end that program, or choose another "
-                + "folder by Java's option -Dsear.project=FOLDER, in Python 3 sear.start(project=FOLDER)");
+                + ": end that program, or start this one in another folder (in Python 3 sear.start(project=FOLDER), by"
+                + " Java's option -Dsear.project=FOLDER)");
         }
         channel = opened;
         owned = project;
@@ -103,7 +105,13 @@ public final class FolderOwner {
         if (!text.matches("[0-9]{1,18}")) {
             return "another process";
         }
-        return "process " + text + ProcessHandle.of(Long.parseLong(text)).flatMap(one -> one.info().command())
-            .map(command -> " (" + command + ")").orElse("");
+        return "process " + text + ProcessHandle.of(Long.parseLong(text)).map(ProcessHandle::info)
+            .flatMap(FolderOwner::program).map(program -> " (" + program + ")").orElse("");
+    }
+
+    /** Returns the script or project that a program runs, else the program. */
+    private static Optional<String> program(ProcessHandle.Info info) {
+        return info.arguments().flatMap(all -> Arrays.stream(all).filter(one -> one.matches(".*\\.(py|sear|ipynb)"))
+            .findFirst()).or(info::command);
     }
 }

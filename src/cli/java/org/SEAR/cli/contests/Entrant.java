@@ -12,6 +12,8 @@ import java.util.Locale;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.SearObject;
@@ -24,6 +26,7 @@ import org.SEAR.simulator.Simulation;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.ScriptResult;
 import org.myrobotlab.embedded.python3.Python3Script;
+import org.myrobotlab.service.SEAR;
 
 /**
  * An entrant of a contest: a script, its robot, and the referee's judgement. The script runs only during its turn,
@@ -207,7 +210,17 @@ public final class Entrant {
             return unreadable != null ? unreadable : "its script ended" + at;
         }
         ErrorWords error = new ErrorWords(inContest(ended.getTraceback()), script.getFileName().toString());
-        return "its script failed" + at + (error.line.isEmpty() ? "" : ", line " + error.line) + ": " + error.words;
+        return "its script failed" + at + (error.line.isEmpty() ? "" : ", line " + error.line) + ": "
+            + withoutReferees(error.words);
+    }
+
+    /** Explains a call that only scripts outside of contests have. */
+    private static String withoutReferees(String words) {
+        Matcher missing = Pattern.compile("in a contest sear has no attribute '(\\w+)'").matcher(words);
+        boolean isReferees = missing.find()
+            && Stream.of(SEAR.class.getMethods()).anyMatch(one -> one.getName().equals(missing.group(1)));
+        return isReferees ? words.substring(0, missing.end()) + ": a script knows only its robot's sensors, such as"
+            + " getDistanceResult and getOdomResult, and its commands (docs/contests.md)" : words;
     }
 
     /** Replaces class names in an error by the names that the script uses. */

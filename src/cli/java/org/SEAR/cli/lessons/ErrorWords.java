@@ -15,6 +15,30 @@ public final class ErrorWords {
     /** The error with its hints; empty without one. */
     public final String words;
 
+    /** Calls that replace the project, or give it other objects. */
+    private static final Pattern OTHER_WORLD = Pattern.compile(
+        "\\b(newProject|loadProject|import(Robot|Environment)|Floor|Box|Cylinder|Sphere|Robots\\.\\w+|SEARrobot)"
+            + "\\s*\\(");
+
+    /**
+     * Explains a run that the lesson's world does not give.
+     *
+     * @param script name of the script's file
+     * @param text the script
+     * @param reason for the teacher
+     */
+    static String otherWorld(String script, String text, String reason) {
+        List<String> lines = text.lines().map(line -> line.replaceAll("#.*", "")).collect(Collectors.toList());
+        for (int i = 0; i < lines.size(); i++) {
+            Matcher call = OTHER_WORLD.matcher(lines.get(i));
+            if (call.find()) {
+                return "Line " + (i + 1) + " of " + script + " replaces or changes the lesson's world (" + call.group(1)
+                    + "): the world is there already. Delete all lines that make objects, and only start and drive.";
+            }
+        }
+        return "Your script's run can't be marked: it must use the lesson's world unchanged. (" + reason + ")";
+    }
+
     /**
      * Reads a traceback.
      *

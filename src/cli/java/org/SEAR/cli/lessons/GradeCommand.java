@@ -113,7 +113,8 @@ public final class GradeCommand implements Callable<Integer> {
             Mark mark = marks.get(0);
             screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked
                 + " requirements of lesson " + mark.lesson + "."
-                : "Not yet: " + mark.got + " of " + mark.asked + " requirements of lesson " + mark.lesson + ".");
+                : "Not yet: " + (mark.asked == 0 ? "" : mark.got + " of " + mark.asked + " requirements of ")
+                    + "lesson " + mark.lesson + ".");
             mark.missing.forEach(what -> screen.println("- " + what));
         } else {
             screen.print(MarkTables.text(marks));

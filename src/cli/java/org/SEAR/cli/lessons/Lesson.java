@@ -79,7 +79,8 @@ final class Lesson {
         return all().stream().anyMatch(one -> one.getName().equals(name));
     }
 
-    private static String names() throws IOException {
+    /** Returns the names of SEAR's lessons, in a line. */
+    static String names() throws IOException {
         return all().stream().map(Lesson::getName).collect(Collectors.joining(", "));
     }
 

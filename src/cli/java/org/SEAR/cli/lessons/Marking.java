@@ -140,19 +140,17 @@ final class Marking {
             missing.add("Your script did not start a simulation: sear.startSimulation()");
             return new Mark(of, kind == null ? Mark.Kind.NOTHING : kind, 0, 0, missing, Map.of());
         }
-        kind = check(done, check, record, world, missing, kind);
+        kind = check(done, check, record, world, script, missing, kind);
         int got = done.getAsked() - done.getMissing().size();
         return new Mark(of, kind, got, done.getAsked(), missing, done.getMeasures());
     }
 
-    private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, List<String> missing,
-        Mark.Kind ended)
-            throws ProjectException {
+    private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, String script,
+        List<String> missing, Mark.Kind ended) throws ProjectException {
         try {
             done.follow(record, world, check.getSeconds());
         } catch (IOException e) {
-            missing.add("Your script's run can't be marked: it must use the lesson's world unchanged. ("
-                + FileReasons.of(e) + ")");
+            missing.add(ErrorWords.otherWorld(script, done.getScript(), FileReasons.of(e)));
             return ended == null ? Mark.Kind.NOT_YET : ended;
         }
         try {

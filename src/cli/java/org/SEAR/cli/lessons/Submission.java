@@ -34,6 +34,10 @@ final class Submission {
     static List<Submission> in(Path path, Lesson lesson) throws IOException {
         List<Submission> all = new ArrayList<>();
         if (Files.isRegularFile(path)) {
+            if (lesson == null && !Lesson.isKnown(stem(path))) {
+                throw new IOException(path + " is not named after a lesson, legal: " + Lesson.names()
+                    + "; or name the lesson: sear grade --lesson NAME " + path);
+            }
             all.add(new Submission(stem(path), lesson == null ? Lesson.find(stem(path)) : lesson, path));
         } else if (Files.isDirectory(path)) {
             boolean isOfPupil = Files.isDirectory(path.resolve("SEARproject"));

@@ -200,7 +200,8 @@ public class ContestTest {
             "motor", START + "sear.setMotorPower(None, 1)\n", "fast", START + "sear.setWheelSpeeds(0, -101)\n"));
         Map<String, String> scores = scores(contest);
         assertTrue(scores.toString(), scores.get("pose")
-            .contains("AttributeError: in a contest sear has no attribute 'getPose'"));
+            .endsWith("AttributeError: in a contest sear has no attribute 'getPose': a script knows only its robot's "
+                + "sensors, such as getDistanceResult and getOdomResult, and its commands (docs/contests.md)"));
         assertTrue(scores.toString(), scores.get("two")
             .contains("expected 1 args; got 2, legal: sear.driveStraight(speed)"));
         assertTrue(scores.toString(), scores.get("motor")

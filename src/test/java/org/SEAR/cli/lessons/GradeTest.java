@@ -71,6 +71,20 @@ public class GradeTest {
             + "pid, square, wall"));
     }
 
+    @Test
+    public void aScriptOfAnotherNameAndOneWithItsOwnWorldAreExplained() throws Exception {
+        Path mine = folder.newFile("my_try.py").toPath();
+        String unnamed = here(new GradeCommand(), mine.toString());
+        assertTrue(unnamed, unnamed.startsWith("2\n")
+            && unnamed.contains("my_try.py is not named after a lesson, legal: avoid, ")
+            && unnamed.contains("sear grade --lesson NAME "));
+        String script = "sear = Runtime.start('sear', 'SEAR')\n# newProject()\nsear.newProject()\nFloor('f', 5, 5)\n";
+        assertEquals("Line 3 of square.py replaces or changes the lesson's world (newProject): the world is there"
+            + " already. Delete all lines that make objects, and only start and drive.",
+            ErrorWords.otherWorld("square.py", script, "another project"));
+        assertTrue(ErrorWords.otherWorld("square.py", "sear.startSimulation()", "why").contains("unchanged. (why)"));
+    }
+
     private void handIn(String pupil, String script) throws Exception {
         Files.writeString(folder.getRoot().toPath().resolve("handed-in").resolve(pupil + ".py"), script);
     }

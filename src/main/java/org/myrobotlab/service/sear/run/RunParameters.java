@@ -2,6 +2,7 @@
 package org.myrobotlab.service.sear.run;
 
 import java.math.BigInteger;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -120,8 +121,10 @@ public final class RunParameters {
                 .doubleValue();
         }
         if (!(kept instanceof String || kept instanceof Number || kept instanceof Boolean)) {
-            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: a number, a text, "
-                + "True or False");
+            boolean several = value instanceof Collection || value != null && value.getClass().isArray();
+            throw new IllegalArgumentException("result " + name + " is " + (several ? "a list" : value)
+                + ", legal: a number, a text, True or False" + (several ? "; give each value a name, such as"
+                + " sear.setResult(\"" + name + "_0\", values[0])" : ""));
         }
         if (kept instanceof String && ((String) kept).length() > LONGEST_TEXT) {
             throw new IllegalArgumentException("result " + name + " has " + ((String) kept).length()

@@ -8,6 +8,8 @@ kept = sear.newProject()
 if kept is not None:
     print "Your project is stored in " + kept
 
+print "The demo drives for a quarter of a minute. A page that is open by then stays as long as you look at it."
+
 # ---- the world: a room of 6 m by 6 m with a few objects ---------------------------------------------------------------------------------------
 Floor("floor", 20, 20, False)
 for (name, x, z, length, width) in (("northWall", 3, 0, 0.1, 6), ("southWall", -3, 0, 0.1, 6), ("eastWall", 0, 3, 6, 0.1), ("westWall", 0, -3, 6, 0.1)):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,9 +43,9 @@ import picocli.CommandLine;
         + "in a browser. A script's project is the folder SEARproject in the working folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises an error, 2 for an invalid command.")
 public final class SearCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script in Python 2.7"
-        + " (Jython, as in MyRobotLab); or a bundle (.sear) or folder to open in the tabs. Examples are found from any "
-        + "folder. Without it the tabs show the working folder's project.")
+    @Parameters(index = "0", paramLabel = "SCRIPT.py|-|PROJECT", arity = "0..1", description = "A script in Python 2.7"
+        + " (Jython, as in MyRobotLab), - for one from the standard input; or a bundle (.sear) or folder to open in "
+        + "the tabs. Examples are found from any folder. Without it the tabs show the working folder's project.")
     private Path script;
     @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "Arguments of the script, in "
         + "sys.argv. Put -- before the first one if any looks like an option or a command.")
@@ -83,7 +84,7 @@ public final class SearCommand implements Callable<Integer> {
     public static void main(String[] arguments) {
         Console.quiet();
         if (arguments.length == 0 || Arrays.stream(arguments)
-            .anyMatch(one -> one.endsWith(".py") || one.endsWith(".sear"))) {
+            .anyMatch(one -> one.endsWith(".py") || one.endsWith(".sear") || one.equals("-"))) {
             JythonStart.begin();
         }
         int status = commandLine().execute(arguments);
@@ -95,6 +96,7 @@ public final class SearCommand implements Callable<Integer> {
     static CommandLine commandLine() {
         CommandLine line = new CommandLine(new SearCommand());
         line.getSubcommands().get("modem-lines").setStopAtPositional(true);
+        CommandHelp.apply(line);
         return line;
     }
 
@@ -123,6 +125,9 @@ public final class SearCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         server.apply(spec);
         MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
+        if (script != null && script.toString().equals("-")) {
+            script = fromInput();
+        }
         if (script != null && !Files.exists(script) && !ExampleBundles.isMeant(script)) {
             String meant = NearestName.of(script.toString(), spec.subcommands().keySet());
             err.println("sear: " + script + " can't be read: there is no such file. "
@@ -138,6 +143,15 @@ public final class SearCommand implements Callable<Integer> {
                 + ": check its name in sear.getParameter"));
         }
         return status;
+    }
+
+    /** Returns a temporary file with the script of the standard input. */
+    private static Path fromInput() throws IOException {
+        Path file = Files.createTempDirectory("sear").resolve("stdin.py");
+        file.getParent().toFile().deleteOnExit();
+        file.toFile().deleteOnExit();
+        Files.write(file, System.in.readAllBytes());
+        return file;
     }
 
     private void set(String parameter) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette's entry of each kind of object: a word, a picture drawn by the view, and a group.
 
+import {THINGS} from './things.js'
+
 export const GROUPS = ['Things', 'Robots', 'Drives', 'Joints', 'Sensors', 'Boards']
 const BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives', joint: 'Joints'}
 const BOARDS = ['Arduino', 'Led']
@@ -76,4 +78,11 @@ export function ofTemplate(name) {
     return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'an empty body for your own robot: add '
         + 'wheels and motors'
         : 'a complete robot that drives'})
+}
+/** Returns the entry of a thing of several objects. */
+export function ofThing(name) {
+    const {like, doc, also} = THINGS[name]
+    const word = words(name)
+    return {make: name, group: 'Things', word, style: styleOf(like), sought: [word, name, also].join(' ').toLowerCase(),
+        template: name, doc}
 }

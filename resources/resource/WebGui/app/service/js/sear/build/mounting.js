@@ -7,11 +7,11 @@ const UPRIGHT = 0.7           // a surface whose normal has a smaller vertical c
 const TURN = 15               // degrees
 const TILT = '-20'            // degrees about x, upwards: SEAR's widest beam then sees obstacles ahead, but no ground
 
-/** Returns the edit that makes a robot; in a world without ground it also adds a floor. */
+/** Returns the edit that makes a robot or a thing; in a world without ground it also adds a floor. */
 export function withGround(edit, world) {
     const ground = world && world.objects.some(object => object.type === 'Floor' || object.ground || object.terrain)
     return ground ? edit : {'do': 'all',
-        edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}, edit]}
+        edits: [{'do': 'add', type: 'Floor', set: {length: FLOOR, width: FLOOR}}].concat(edit.edits || edit)}
 }
 /**
  * Returns the mounting position of a robot's part at a point of its body, snapped along the surface only. A part with

@@ -4,6 +4,7 @@ import {mounted, tilted, withGround} from './mounting.js'
 import {Joining, WORLD, partners} from './joints.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
+import {THINGS, isThing, thingEdit} from './things.js'
 import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
 import * as pointing from '../world/pointing.js'
 
@@ -44,7 +45,7 @@ export class Palette {
         this.made = {grammar: this.edits.grammar, sought: this.sought}
         const all = !this.edits.grammar ? [] : this.edits.grammar.types.filter(type => type.kind !== 'robot')
             .map(making.ofType)
-            .concat(this.edits.grammar.templates.map(making.ofTemplate))
+            .concat(this.edits.grammar.templates.map(making.ofTemplate), Object.keys(THINGS).map(making.ofThing))
         const wanted = this.sought.trim().toLowerCase()
         this.kinds = all.filter(kind => kind.sought.indexOf(wanted) >= 0)
         this.shownGroups = making.GROUPS.map(name => ({name, kinds: this.kinds.filter(kind => kind.group === name)}))
@@ -227,7 +228,8 @@ export class Palette {
         } else {
             this.put(edit.set, [at.point[0], at.point[1] + (armed.type ? this.lift(armed.type) : 0), at.point[2]], free)
         }
-        this.edits.edit(armed.template ? withGround(edit, this.world.shown()) : edit, answer => {
+        const made = isThing(armed.template) ? this.thing(armed.template, at, free) : edit
+        this.edits.edit(armed.template ? withGround(made, this.world.shown()) : made, answer => {
             this.edits.selectAfter(answer)
             if (answer.done) {
                 this.leave()
@@ -235,6 +237,13 @@ export class Palette {
                 this.askFor(armed, answer.problems)
             }
         })
+    }
+
+    /** Returns the edit that makes a thing of several objects. */
+    thing(name, at, free) {
+        const taken = (this.world.shown() || {objects: []}).objects.map(object => object.name)
+        const place = [this.snapped(at.point[0], free), at.point[1], this.snapped(at.point[2], free)]
+        return thingEdit(name, place, taken, plain)
     }
 
     /** Adds a field for each invalid parameter, so that the user can enter it, for example a motor's wheel. */

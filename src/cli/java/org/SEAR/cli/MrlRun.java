@@ -45,7 +45,7 @@ final class MrlRun {
     }
 
     /**
-     * Starts Python and the tabs.
+     * Starts Python.
      *
      * @return the Python service; null on failure
      */
@@ -53,14 +53,20 @@ final class MrlRun {
         Shutdown.then(shutdown::countDown);
         java.lang.Runtime.getRuntime().addShutdownHook(new Thread(this::release, "release"));
         ParentProcess.watch();
-        if (port != NO_PORT) {
-            address = Tabs.start(port, isKnown, err);
-            if (address == null && isKnown) {
-                return null;
-            }
-        }
         ServiceInterface python = Runtime.start(PYTHON, "Python");
         return python instanceof Python ? (Python) python : null;
+    }
+
+    /**
+     * Serves the tabs of the services that have started, and prints the address.
+     *
+     * @return whether the run can go on
+     */
+    private boolean serve() {
+        if (port != NO_PORT) {
+            address = Tabs.start(port, isKnown, err);
+        }
+        return address != null || !isKnown;
     }
 
     /** Ends scripts before the services they wait for, to avoid error messages. */
@@ -122,7 +128,7 @@ final class MrlRun {
         throws IOException, InterruptedException {
         Python python = start();
         PythonEngine engine = PythonEngine.of(PYTHON);
-        if (python == null || engine == null) {
+        if (python == null || engine == null || !serve()) {
             return ExitCode.SOFTWARE;
         }
         engine.setArguments(arguments);
@@ -170,6 +176,9 @@ final class MrlRun {
                 release();
                 return ExitCode.USAGE;
             }
+        }
+        if (!serve()) {
+            return ExitCode.SOFTWARE;
         }
         if (address != null && inBrowser && !Tabs.asksForToken()) {    // other users can see the arguments of processes
             Browser.open(address + "#/" + SEAR_NAME);

@@ -64,6 +64,10 @@ final class Backups {
         return folder.resolveSibling(folder.getFileName() + ENDING + (byNumber.isEmpty() ? 1 : byNumber.lastKey() + 1));
     }
 
+    List<Path> newestFirst() {
+        return new ArrayList<>(byNumber.descendingMap().values());
+    }
+
     /** Returns the backups with the same files as a folder. */
     List<Path> same(Path other) throws IOException {
         List<Path> same = new ArrayList<>();

@@ -14,6 +14,9 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.SEAR.files.AtomicFile;
@@ -227,7 +230,9 @@ public final class ProjectSwap implements AutoCloseable {
         Path backup = backups.next();
         boolean again = isUntouchedExample();
         Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
+        ProjectOrigin.move(folder, backup);
         Files.deleteIfExists(beside(folder, EXAMPLE));
+        Files.setLastModifiedTime(backup, FileTime.from(Instant.now()));
         if (again) {
             discard(backup);
             return null;
@@ -240,6 +245,11 @@ public final class ProjectSwap implements AutoCloseable {
             reported.accept("the backup " + surplus + " was removed: " + Backups.LIMITS);
         }
         return backup;
+    }
+
+    /** Returns the backups of a project, the newest first; a folder's modification time is that of the backup. */
+    public static List<Path> backups(Path folder) throws IOException {
+        return undisturbed(() -> Files.isDirectory(folder.getParent()) ? Backups.of(folder).newestFirst() : List.of());
     }
 
     /** Marks the current project as an example, which needs no backup unless the user changes it. */
@@ -257,6 +267,7 @@ public final class ProjectSwap implements AutoCloseable {
         Path doomed = beside(folder, DELETING);
         delete(doomed);
         Files.move(backup, doomed, StandardCopyOption.ATOMIC_MOVE);
+        ProjectOrigin.delete(backup);
         delete(doomed);
     }
 

@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
 import org.SEAR.grammar.ScriptText;
+import org.SEAR.project.ProjectOrigin;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.robot.DriveOrder;
 import org.SEAR.simulator.ActuatorOrder;
@@ -54,6 +56,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     private boolean simulating;
     private boolean paused;
     private boolean recorded;
+    /** Identifies this start of the service for panels, which ask for everything again; 0 before it. */
+    private long started;
+    /** Path of the bundle that the next save of a panel writes, and whether it has the project already. */
+    private String project = ProjectOrigin.NONE.path;
+    private boolean saved;
 
     /** Called by MyRobotLab. */
     public SEAR(String name, String id) {
@@ -72,6 +79,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
             try {
                 parts = new SearParts(new SearHost(this, calls));
                 ScriptErrors.listen(getName());
+                started = System.currentTimeMillis();
+                changed();
             } catch (LinkageError e) {
                 error("%s", SearCalls.missing(e));
             }
@@ -968,7 +977,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.newProject()
      */
     public String newProject() {
-        return calls.attempt(() -> text(parts.projects().restart()));
+        return replaced(() -> text(parts.projects().restart()));
     }
 
     /**
@@ -980,7 +989,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example print sear.saveProject("mine.sear")
      */
     public String saveProject(String path) {
-        return calls.attempt(() -> text(parts.projects().save(bundle(path))));
+        return replaced(() -> text(parts.projects().save(bundle(path))));
     }
 
     /**
@@ -1005,7 +1014,10 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.loadProject("examples/office.sear")
      */
     public void loadProject(String path) {
-        calls.act(() -> parts.projects().load(bundle(path)));
+        replaced(() -> {
+            parts.projects().load(bundle(path));
+            return null;
+        });
     }
 
     /**
@@ -1607,7 +1619,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * result's form.
      */
     public Map<String, Object> saveProjectAs(String path, boolean overwrite) {
-        return calls.attempt(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
+        return replaced(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
     /**
@@ -1616,6 +1628,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void uploadProject(String name, int index, int count, String data) {
         if (calls.attempt(() -> parts.transfers().receive(name, index, count, data))) {
+            changed();
             invoke("publishUploaded", "loaded " + name);
         }
     }
@@ -1628,6 +1641,21 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /** Returns a part of the project's bundle for a panel: index, count, data in base64. Part 0 creates the bundle. */
     public Map<String, Object> getBundle(int index) {
         return calls.attempt(() -> parts.transfers().part(index));
+    }
+
+    /** Returns the user's own and kept projects, for panels. {@code Projects} describes the form. */
+    public List<Map<String, Object>> getProjects() {
+        return calls.attempt(() -> parts.projects().list());
+    }
+
+    /** Returns a picture of one of {@link #getProjects} from above, for panels. {@code Projects} describes the form. */
+    public Map<String, Object> getProjectPicture(String path) {
+        return calls.attempt(() -> parts.projects().picture(String.valueOf(ScriptText.of(path))));
+    }
+
+    /** Publishes to panels that another project has replaced the user's: path and contents of the backup. */
+    public Map<String, Object> publishKept(Map<String, Object> kept) {
+        return kept;
     }
 
     /** Returns the paths of example projects, for panels. */
@@ -1643,6 +1671,13 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /** Makes the service named python run an example script, as that service's tab does; returns immediately. */
     public void runExampleScript(String name) {
         calls.act(() -> send(ExampleScripts.runner(), "exec", ExampleScripts.text(ScriptText.of(name)), false));
+    }
+
+    /** Runs a call that changes which project is open or where its file is. */
+    private <T> T replaced(Callable<T> work) {
+        T answer = calls.attempt(work);
+        changed();
+        return answer;
     }
 
     private static Path bundle(String path) {
@@ -1690,6 +1725,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         simulating = isSimulating();
         paused = simulating && parts.control().session().isPaused();
         recorded = parts != null && parts.recording().isOn();
+        ProjectOrigin origin = parts == null ? ProjectOrigin.NONE : parts.projects().origin();
+        project = origin.path;
+        saved = origin.saved;
         broadcastState();
     }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service;
 
+import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
@@ -95,6 +97,11 @@ final class SearHost implements Host {
     @Override
     public void reading(SensorReading reading) {
         service.invoke("publishReading", reading);
+    }
+
+    @Override
+    public void kept(Path backup, String words) {
+        service.invoke("publishKept", Map.of("path", backup.toString(), "words", words));
     }
 
     @Override

@@ -87,7 +87,7 @@ final class SearParts {
         edits = new Edits();
         exports = new Exports(host, control);
         networkCameras = new CameraExports(host, cameras);
-        transfers = new BundleTransfers(projects::save, projects::load);
+        transfers = new BundleTransfers(projects::write, projects::receive);
         recording = new Recording(control, host);
         records = new Records(host);
         control.scriptSession().open();

@@ -27,9 +27,8 @@ public class SamePictureTest extends InRealMrl {
     private static final int DIFFERENT = 60;
     /** Largest share of different pixels. The embedded page's buttons and grey text are darker for legibility. */
     private static final double MOST_DIFFERENT = 0.015;
-    private static final String PREPARE = "if (!document.querySelector('.sear-example')) { "
-        + "document.querySelector('.sear-fold-project').click() }"
-        + "document.querySelector('.sear-example').style.width = '190px'";
+    private static final String PREPARE = "if (!document.querySelector('.sear-save')) { "
+        + "document.querySelector('.sear-fold-project').click() }";
     private static final String READY =
         "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 "
         + "&& view.fitted";

@@ -45,6 +45,7 @@ public class FileWritersTest {
         Map.entry("PngCanvas.java", "a picture in memory"),
         Map.entry("ProjectSwap.java", "a lock, and copies that become the project as a whole"),
         Map.entry("RasterFile.java", "a temporary file"),
+        Map.entry("SearCommand.java", "a temporary file"),
         Map.entry("TerrainCut.java", "a temporary folder"),
         Map.entry("WindowProcess.java", "standard output")));
 

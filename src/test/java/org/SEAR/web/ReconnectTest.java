@@ -68,6 +68,19 @@ public class ReconnectTest {
     }
 
     @Test
+    public void aPageThatComesBeforeTheServiceStartsFillsItself() {
+        robotLab.call("runtime", "release", "sear");
+        browser.until("no tab", () -> browser.all("#tab-sear").isEmpty());
+        robotLab.run("sear = Runtime.create('sear', 'SEAR')");
+        TABS.open("sear");
+        tab.waitForStatus("sear is starting");
+        robotLab.run("sear.startService()");
+        tab.waitForStatus("no simulation runs");
+        browser.until("all examples", () -> tab.isTrue("project.examples.length > 10 && edits.grammar !== null"));
+        tab.openExample("maze");
+    }
+
+    @Test
     public void aServiceThatIsReleasedAndStartedAgainHasItsTabAgain() {
         robotLab.call("runtime", "release", "sear");
         browser.until("no tab", () -> browser.all("#tab-sear").isEmpty());

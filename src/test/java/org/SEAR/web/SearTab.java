@@ -32,10 +32,26 @@ public final class SearTab {
         waitForStatus("no simulation runs");
     }
 
+    /** Shows the list of projects. */
+    public void showProjects() {
+        if (!isTrue("welcome.isShown()")) {
+            browser.click(".sear-open");
+        }
+        browser.see(".sear-welcome");
+    }
+
+    /** Opens a project by its path. */
+    public void openPath(String path) {
+        showProjects();
+        browser.type(".sear-other-path", path);
+        browser.click(".sear-load");
+    }
+
     /** Opens an example by the list. */
     public void openExample(String name) {
         String path = "examples/" + name + ".sear";
-        browser.choose(".sear-example", path);
+        showProjects();
+        browser.click("[data-tile='" + name + "']");
         browser.seeText(".sear-main .alert-info", "opened " + path);
     }
 

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.files.AtomicFile;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectOrigin;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 
@@ -196,7 +197,9 @@ public final class Bundle {
             source.checkFiles();
             Map<String, String> renamed = choice.of(source, new Import(source, present, staging));
             Project.read(staging);
+            ProjectOrigin origin = ProjectOrigin.of(project);
             swap.putInPlace(progress::said);
+            origin.write(project);
             return renamed;
         } finally {
             ProjectSwap.delete(unpacked);

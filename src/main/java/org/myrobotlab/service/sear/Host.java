@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.myrobotlab.service.sear;
 
+import java.nio.file.Path;
+
 /** The service that owns a simulation. Any thread. */
 public interface Host {
     String getName();
@@ -42,6 +44,14 @@ public interface Host {
     }
 
     void reading(SensorReading reading);
+
+    /**
+     * Publishes that another project has replaced the user's, which became a backup.
+     *
+     * @param words its contents
+     */
+    default void kept(Path backup, String words) {
+    }
 
     /** Publishes the state of the world if it has a subscriber. */
     void state();

@@ -272,8 +272,8 @@ public class LayoutTest {
             ".sear-halt", ".sear-backward", ".sear-right");
         double[] view = box(".sear-stage canvas");
         assertTrue(Arrays.toString(view), view[2] - view[0] > 300 && view[3] - view[1] >= 240);
-        assertTrue("folded", browser.texts(".sear-load").isEmpty());
+        assertTrue("folded", browser.texts(".sear-save").isEmpty());
         browser.click(".sear-fold-project");
-        browser.see(".sear-load");
+        browser.see(".sear-save");
     }
 }

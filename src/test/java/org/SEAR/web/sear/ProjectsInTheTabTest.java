@@ -59,18 +59,15 @@ public class ProjectsInTheTabTest {
         browser.until("the bundle", () -> Files.exists(robotLab.file("kept.sear")));
         tab.openExample("ramps");
         browser.until("another project", () -> Files.notExists(project("environment/goal.xml")));
-        browser.type(".sear-path", "kept.sear");
-        browser.click(".sear-load");
+        tab.openPath("kept.sear");
         tab.waitForRobot("maze Roomba");
         tab.start();
         browser.seeText(".sear-robots", "maze Roomba");
-        assertTrue(browser.all(".sear-main datalist option").stream()
-            .anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
-        for (String css : List.of(".sear-load", ".sear-new", ".sear-example")) {
+        assertTrue(tab.isTrue("project.recent.indexOf('kept.sear') >= 0"));
+        for (String css : List.of(".sear-open", ".sear-new")) {
             assertEquals("stop the simulation first", browser.see(css).getAttribute("title"));
         }
-        assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled()
-            && !browser.see(".sear-example").isEnabled());
+        assertFalse("no project is opened while one runs", browser.see(".sear-open").isEnabled());
     }
 
     /** Waits for the path in the field. */
@@ -87,13 +84,47 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
+    public void aReplacedWorldIsKeptListedAndBroughtBack() {
+        robotLab.run("sear.newProject()\nfrom org.SEAR.POJOs import *\nFloor('ground', 4, 4)\n"
+            + "Box('crate', 0.2, 0.2, 0.2).move(1, 0.1, 1)\nRobots.rover('own')");
+        tab.waitForRobot("own");
+        browser.type(".sear-path", "own.sear");
+        browser.click(".sear-save");
+        browser.seeText(".sear-main .alert-info", "saved own.sear");
+        robotLab.run("from org.SEAR.POJOs import Box\nBox('second', 0.2, 0.2, 0.2).move(1, 0.1, 0)");
+        browser.until("the second box", () -> tab.isTrue("world.shown().objects.length == 3"));
+        browser.scope(SearTab.ROOT, "edits.select('crate')");
+        tab.openExample("maze");
+        browser.seeText(".sear-kept", "Your world is kept: own, 2 boxes");
+        seePath("maze.sear");
+        assertTrue("the inspector follows", tab.isTrue("edits.selected === null"));
+        TABS.open("sear");
+        seePath("maze.sear");
+        tab.showProjects();
+        browser.seeText(".sear-welcome", "own, 2 boxes");
+        browser.until("pictures",
+            () -> tab.isTrue("welcome.groups()[1].tiles[0].plan().indexOf('data:image/svg') == 0"));
+        browser.see("[data-tile='own.sear']");
+        browser.click(".sear-close-projects");
+        browser.click(".sear-new");
+        browser.until("an empty project", () -> tab.isTrue("world.isEmpty()"));
+        browser.click("[data-tile*='backup']");
+        browser.until("the kept world", () -> tab.isTrue("world.shown().objects.length == 3"));
+        TABS.open("sear");
+        seePath("own.sear");
+        browser.click(".sear-save");
+        browser.seeText(".sear-main .alert-info", "saved own.sear");
+        assertTrue("its own file needs no question", browser.all(".sear-question").isEmpty());
+    }
+
+    @Test
     public void foreignFilesAreOnlyOverwrittenOnConfirmation() throws IOException {
         byte[] foreign = {1, 2, 3};
         Files.write(robotLab.file("maze.sear"), foreign);
         tab.openExample("maze");
         seePath("maze.sear");
         browser.click(".sear-save");
-        browser.seeText(".sear-question", "maze.sear already exists, and this page did not save it.");
+        browser.seeText(".sear-question", "maze.sear already exists.");
         browser.click(".sear-cancel");
         browser.until("no question", () -> browser.all(".sear-question").isEmpty());
         assertArrayEquals(foreign, bytes("maze.sear"));
@@ -127,8 +158,7 @@ public class ProjectsInTheTabTest {
         browser.click(".sear-save");
         browser.seeText(".sear-main .alert-info", "saved shortened.sear");
         assertFalse(Files.exists(robotLab.file("shortened")));
-        browser.type(".sear-path", "shortened");
-        browser.click(".sear-load");
+        tab.openPath("shortened");
         browser.seeText(".sear-main .alert-info", "opened shortened");
     }
 
@@ -171,11 +201,9 @@ public class ProjectsInTheTabTest {
 
     @Test
     public void theTabReportsAMissingFile() {
-        browser.type(".sear-path", "nix.sear");
-        browser.click(".sear-load");
+        tab.openPath("nix.sear");
         browser.seeText(".sear-main .alert-danger", "there is no file ");
-        browser.type(".sear-path", "nor this.sear");
-        browser.click(".sear-load");
+        tab.openPath("nor this.sear");
         browser.seeText(".sear-main .alert-danger", "nor this.sear");
         assertEquals("each is told once", 2, browser.all(".sear-main .alert-danger").size());
         browser.click(".sear-clear");
@@ -298,7 +326,7 @@ public class ProjectsInTheTabTest {
         Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->",
             StandardOpenOption.APPEND);
         browser.click(".sear-new");
-        browser.seeText(".sear-main .alert-info", "stored in");
+        browser.seeText(".sear-kept", "Your world is kept: maze Roomba");
         browser.until("no project", () -> Files.notExists(project("robot")));
         browser.until("nothing to start", () -> !browser.see(".sear-start").isEnabled());
         browser.seeText(".sear-welcome", "Where do you want to begin?");

@@ -184,8 +184,7 @@ public class RecordsTabTest {
         assertEnded("an example");
         browser.until("the maze", () -> tab.isTrue("world.shown().objects.length > 5"));
         replay();
-        browser.type(".sear-path", "examples/office.sear");
-        browser.click(".sear-load");
+        tab.openPath("examples/office.sear");
         assertEnded("Open");
         browser.until("the office", () -> tab.isTrue("world.shown().robots[0].name === 'office Roomba'"));
         replay();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inspector of the SEAR panel: each parameter of the selected object with its unit, valid values and meaning from
 // the grammar.
+import {parameterWords} from '../shared/words.js'
 import {robotOf} from './balance.js'
 import {sizesOf} from './handles.js'
 import * as joints from './joints.js'
@@ -81,6 +82,10 @@ export class Inspector {
             .filter(group => group.rows.length)
     }
 
+    labelOf(parameter) {
+        return parameterWords(parameter.name)
+    }
+
     /** Compares texts, or lists of entries. */
     same(a, b) {
         return angular.equals(a === undefined ? '' : a, b === undefined ? '' : b)
@@ -89,7 +94,7 @@ export class Inspector {
     rowOf(parameter) {
         const ofJoint = this.edits.typeOf(this.edits.object.type).kind === 'joint'
         const row = {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: '',
-            word: ofJoint && joints.WORDS[parameter.name] || parameter.name,
+            word: ofJoint && joints.WORDS[parameter.name] || parameterWords(parameter.name),
             isPartner: ofJoint && (parameter.name === 'first' || parameter.name === 'second')}
         /** Returns the colour in the form of the browser's colour input; with an argument, sets another one. */
         row.color = (...chosen) => {

@@ -25,6 +25,7 @@ import {Replay} from '../records/replay.js'
 import {Run} from './run.js'
 import {Script} from './script.js'
 import {Share} from './share.js'
+import {Shelf} from './shelf.js'
 import {Tour} from './tour.js'
 import {Video} from './video.js'
 import {View} from '../scene/view.js'
@@ -38,8 +39,9 @@ const TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProble
     'startSimulation', 'stopSimulation',
     'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords',
     'getRecordFrames',
-    'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture']
-const ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
+    'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture', 'getProjectPicture',
+    'publishKept']
+const ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits', 'getProjects']
 const LOOK_MILLIS = 1000      // interval at which a page that shows the project asks for changes
 const SETTLED_MILLIS = 12000  // time after which the status line drops a notice
 const LISTEN_MILLIS = 100     // interval of checks for the view's elements
@@ -64,10 +66,11 @@ class SearPanel {
         const replay = new Replay(panel, messages, world, picture)
         const plot = new Plot(panel, world, records, replay, layout)
         const cameras = new Cameras(panel, world, replay, picture, $interval)
-        const project = new Project(panel, messages, problems, view)
+        const shelf = new Shelf(panel)
+        const project = new Project(panel, messages, world, problems, view, shelf)
         const script = new Script(panel, messages, project)
         const tour = new Tour(panel, world, view, palette, script, layout)
-        const welcome = new Welcome(world, view, palette, project, tour)
+        const welcome = new Welcome(panel, world, view, palette, project, tour, shelf)
         const run = new Run(panel, messages, world, problems, view, edits, picture)
         const video = new Video(panel, messages, view, picture)
         const share = new Share(panel, messages, replay, ground)
@@ -79,15 +82,19 @@ class SearPanel {
         this.panel = panel
         this.picture = picture
         this.parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout,
-            records, replay, plot, motors,
-            cameras, project, script, run, video, share, tour, welcome}
+            records, replay, plot, motors, cameras, shelf, project, script, run, video, share, tour, welcome}
         this.listening = [hand, pointed, building, project, badge, driving]
         this.keyed = [driving, building, view, run]
+        this.started = 0            // start of the service that was asked for its lists
         this.waiting = null         // timeout until the view's elements exist
 
         cameras.plottedBy(() => plot.open && !plot.source ? plot.lines : [])
         // a replay ends when the user returns to the present
-        project.left.hear(() => plot.showNow())
+        project.left.hear(() => {
+            plot.showNow()
+            edits.select(null)
+            welcome.close()
+        })
         run.begun.hear(() => plot.showNow())
         panel.scope.$watch(() => view.building, begun => begun && replay.end())
     }
@@ -101,6 +108,16 @@ class SearPanel {
         this.panel.scope.service = service
         this.parts.run.follow()
         this.parts.world.follow()
+        this.parts.project.follow()
+        this.ask(service.started)
+    }
+
+    /** Asks for lists once per start of the service, also after a lost connection. @param started its number */
+    ask(started) {
+        if (started && started !== this.started) {
+            this.started = started
+            ASKED.forEach(method => this.panel.msg.send(method))
+        }
     }
 
     onStatus(status) {
@@ -147,7 +164,7 @@ class SearPanel {
 
     /** Subscribes all parts to the service. */
     hear() {
-        this.panel.hear(TOPICS, ASKED, Object.assign({
+        this.panel.hear(TOPICS.concat(ASKED), [], Object.assign({
             onState: service => this.onState(service),
             onStatus: status => this.onStatus(status)
         }, ...Object.values(this.parts).map(part => part.handlers), {onLooks: sent => this.onLooks(sent)}))

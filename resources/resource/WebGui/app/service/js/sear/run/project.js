@@ -11,17 +11,23 @@ const MOST_RECENT = 8
 
 /** The project controls of one panel. */
 export class Project {
-    constructor(panel, messages, problems, view) {
+    constructor(panel, messages, world, problems, view, shelf) {
         this.panel = panel
         this.messages = messages
+        this.world = world
         this.problems = problems
         this.view = view
+        this.shelf = shelf
         this.msg = panel.msg
         this.given = {}         // scripts that this page added to MyRobotLab's Python tab
         this.asked = {}         // paths that this page asked to save and open
         this.path = NEW
-        this.example = ''
+        this.known = null       // the service's path of the project
+        this.other = ''         // path of a file to open
         this.examples = []
+        this.kept = null        // the replaced project that the page offers to bring back: path, words
+        this.lastKept = ''
+        this.leaving = false    // whether this page asked for the replacement
         this.script = ''
         this.scripts = []       // names of the example scripts
         this.template = 'userCode.py'
@@ -30,8 +36,6 @@ export class Project {
         this.transfer = null
         this.left = new Listeners() // the user opens another project
         this.recent = recallJson(RECENT) || []
-
-        this.written = {}       // paths that this page has saved to and overwrites without asking
 
         this.parts = null       // parts of the bundle that this page downloads
 
@@ -48,10 +52,6 @@ export class Project {
             onUploaded: text => {
                 view.fit()
                 this.transfer = null
-                if (this.asked.upload) {
-                    this.path = this.asked.upload
-                }
-                this.asked.upload = null
                 messages.say('info', text)
             },
             onSaveProject: () => {
@@ -59,14 +59,12 @@ export class Project {
             },
             onSaveProjectAs: answer => this.onSaved(answer),
             onLoadProject: () => this.onLoaded(),
-            onNewProject: backup => {
+            onNewProject: () => {
                 view.fit()
-                if (this.asked.newProject) {
-                    this.path = NEW
-                }
-                this.asked.newProject = false
-                messages.say('info', 'new project' + (backup ? '; the previous one is stored in ' + backup : ''))
+                world.look()
+                messages.say('info', 'new project')
             },
+            onKept: kept => this.onKept(kept),
             onCopyTemplate: path => {
                 messages.say('info', 'copied to ' + path)
             }
@@ -78,33 +76,70 @@ export class Project {
         remember(RECENT, JSON.stringify(this.recent), this.messages, 'recent projects')
     }
 
-    open(path) {
+    /** Opens a project. @param name for messages, if the path says nothing */
+    open(path, name) {
         this.problems.forget()
-        this.left.tell()
-        this.path = path
-        this.addRecent(path)
-        this.asked.load = path
+        this.leave()
+        if (!name) {
+            this.addRecent(path)
+        }
+        this.asked.load = name || path
         this.msg.send('loadProject', path)
     }
 
-    /** An opened example is saved beside the example, not over it. */
+    /** Before another project opens. */
+    leave() {
+        this.kept = null
+        this.known = null
+        this.leaving = true
+        this.left.tell()
+    }
+
     onLoaded() {
         this.view.fit()
+        this.world.look()
         this.messages.say('info', 'opened ' + (this.asked.load || 'by another page'))
-        if (this.asked.load && this.examples.indexOf(this.asked.load) >= 0) {
-            this.path = words.fileName(this.asked.load)
-        }
         this.asked.load = null
     }
 
+    /** Offers to bring a replaced project back. A script that runs again replaces its own world without an offer. */
+    onKept(kept) {
+        this.shelf.look()
+        this.world.look()
+        const again = this.lastKept === kept.words && !this.leaving
+        this.lastKept = kept.words
+        this.leaving = false
+        if (!again) {
+            this.kept = kept
+            this.messages.say('info', 'your world is kept: ' + kept.words)
+        }
+    }
+
+    bringBack() {
+        this.open(this.kept.path, this.kept.words)
+    }
+
+    hideKept() {
+        this.kept = null
+    }
+
+    /** Takes the service's path of the project, for every page and after a reload. */
+    follow() {
+        const path = this.panel.scope.service.project
+        if (path && path !== this.known) {
+            this.known = path
+            this.path = path
+        }
+    }
+
     startAnew() {
-        this.asked.newProject = true
-        this.left.tell()
+        this.leave()
         this.msg.send('newProject')
     }
 
     save() {
-        this.saveTo(this.path, Boolean(this.written[this.path]))
+        const service = this.panel.scope.service
+        this.saveTo(this.path, Boolean(service.saved) && this.path === service.project)
     }
 
     saveTo(path, overwrite) {
@@ -125,9 +160,9 @@ export class Project {
         const mine = this.asked.save === answer.asked
         if (answer.saved) {
             this.messages.say('info', mine ? 'saved ' + answer.path : 'saved by another page')
+            this.shelf.look()
         }
         if (mine && answer.saved) {
-            this.written[answer.path] = true
             this.path = answer.path
             this.addRecent(answer.path)
         } else if (mine) {
@@ -144,7 +179,7 @@ export class Project {
         const script = this.script
         this.view.fit()
         this.messages.say('info', 'running ' + script + '. You can change it in the Python tab and run it again')
-        this.left.tell()
+        this.leave()
         this.msg.send('runExampleScript', script)
         this.asked.script = script
         this.msg.send('getExampleScript', script)
@@ -155,11 +190,6 @@ export class Project {
         this.asked.script = null
         if (!script) {
             return              // run by another page
-        }
-        const opened = /\bloadProject\(\s*["']([^"']+)/.exec(code)
-        if (opened) {
-            this.path = words.fileName(opened[1])
-            this.addRecent(opened[1])
         }
         this.show({file: script, code})
     }
@@ -186,12 +216,11 @@ export class Project {
             const text = reader.result.substring(reader.result.indexOf(',') + 1)
             const parts = Math.max(1, Math.ceil(text.length / CHUNK))
             this.problems.forget()
-            this.left.tell()
+            this.leave()
             for (let i = 0; i < parts; i++) {
                 this.msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
             }
             this.transfer = 'loading ' + file.name
-            this.asked.upload = file.name
             this.panel.scope.$applyAsync()
         }
         reader.onerror = () => {

@@ -98,7 +98,8 @@ export class Run {
     }
 
     statusText() {
-        return this.pending || (!this.panel.isSimulating() ? 'no simulation runs' : this.$scope.service.paused
+        return this.pending || (!this.$scope.service.started ? this.$scope.service.name + ' is starting'
+            : !this.panel.isSimulating() ? 'no simulation runs' : this.$scope.service.paused
             ? 'paused' :
             this.world.waiting ? 'time waits for a script' : 'running')
     }

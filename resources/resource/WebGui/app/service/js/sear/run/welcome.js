@@ -23,20 +23,45 @@ const EXAMPLES = {
 }
 const BY_HEART = Object.keys(EXAMPLES)
 
-/** The start tiles of one panel. */
+/** The start tiles of one panel: an empty view shows them, and Open does. */
 export class Welcome {
-    constructor(world, view, palette, project, tour) {
+    constructor(panel, world, view, palette, project, tour, shelf) {
+        this.panel = panel
         this.world = world
         this.view = view
         this.palette = palette
         this.project = project
         this.tour = tour
-        this.shownTiles = []
-        this.made = null        // examples that the tiles belong to
+        this.shelf = shelf
+        this.opened = false     // whether the user asked for the tiles
+        this.shownGroups = []
+        this.made = []          // lists that the tiles belong to
+        shelf.isSeen = () => this.isShown()
     }
 
     isShown() {
-        return this.world.isEmpty() && !this.view.building && !this.world.instead
+        const free = !this.panel.isSimulating() && !this.world.instead
+        return free && (this.opened || this.world.isEmpty() && !this.view.building)
+    }
+
+    /** Shows the tiles, or hides those that the user asked for. */
+    toggle() {
+        this.opened = !this.isShown()
+        this.shelf.look()
+    }
+
+    close() {
+        this.opened = false
+    }
+
+    key(event) {
+        if (event.key === 'Escape') {
+            this.close()
+        }
+    }
+
+    title() {
+        return this.world.isEmpty() ? 'A robot simulator. Where do you want to begin?' : 'Open a project'
     }
 
     nameOf(path) {
@@ -63,14 +88,47 @@ export class Welcome {
         return Object.assign({}, tile, {picture: this.picture(tile.picture), open})
     }
 
-    /** Returns the tiles: the tour, one for building, and one for each example. */
-    tiles() {
-        if (this.made !== this.project.examples) {
-            this.made = this.project.examples
-            this.shownTiles = [this.ownTile(TOUR, () => this.tour.start()),
-                this.ownTile(MINE, () => this.palette.build())]
-                .concat(this.made.slice().sort((a, b) => this.rank(a) - this.rank(b)).map(path => this.tileOf(path)))
+    /** Returns the tile of a project on the shelf. */
+    shelfTile(one) {
+        const kept = one.kind === 'kept'
+        return {name: one.path, title: one.title, text: this.shelf.words(one), drawn: true,
+            plan: () => this.shelf.picture(one), open: () => this.project.open(one.path, kept ? one.words : '')}
+    }
+
+    /** Returns the groups of tiles: the tour and building, own projects, kept ones, examples. */
+    groups() {
+        const made = [this.project.examples, this.shelf.list, this.world.isEmpty()]
+        if (made.some((part, i) => part !== this.made[i])) {
+            this.made = made
+            this.shownGroups = this.grouped(...made)
         }
-        return this.shownTiles
+        return this.shownGroups
+    }
+
+    grouped(paths, listed, isFirst) {
+        const begin = [this.ownTile(TOUR, () => this.tour.start()), this.ownTile(MINE, () => this.build())]
+        const examples = paths.slice().sort((a, b) => this.rank(a) - this.rank(b)).map(path => this.tileOf(path))
+        if (!listed.length) {
+            return [{name: '', tiles: begin.concat(examples)}]
+        }
+        const groups = [this.groupOf('My projects', 'own'),
+            this.groupOf('Kept when another project replaced them', 'kept'),
+            {name: 'Examples', tiles: examples}]
+        groups[isFirst ? 'unshift' : 'push']({name: 'Begin', tiles: begin})
+        return groups.filter(group => group.tiles.length)
+    }
+
+    groupOf(name, kind) {
+        return {name, tiles: this.shelf.of(kind).map(one => this.shelfTile(one))}
+    }
+
+    /** Begins a robot of one's own, on empty ground. */
+    build() {
+        if (!this.world.isEmpty()) {
+            this.project.startAnew()
+        }
+        this.close()
+        this.view.showSpace()
+        this.palette.build()
     }
 }

@@ -80,6 +80,14 @@ export class View {
         return mode === 'map' || !isPossible(mode !== 'space') ? 'map' : 'space'
     }
 
+    /** Shows the 3D view if the browser has one, unless the user has chosen the map. */
+    showSpace() {
+        if (recall(MODE) !== 'map' && isPossible(false)) {
+            this.mode = 'space'
+            this.panel.timeout(this.picture.repaint)
+        }
+    }
+
     setMode(mode) {
         if (mode === 'space' && !isPossible(false)) {
             this.noSpace = 'This browser has no WebGL and shows only the map'

@@ -4,6 +4,17 @@ export function count(number, thing) {
     return number + ' ' + thing + (number === 1 ? '' : 's')
 }
 
+// Names of parameters whose parts say too little.
+const PARAMETERS = {rx: 'turn about x', ry: 'turn about y', rz: 'turn about z',
+    onGround: 'on the ground', scaleX: 'scale along x', scaleY: 'scale along y', scaleZ: 'scale along z',
+    placeLatitude: 'latitude', placeLongitude: 'longitude', placeHeading: 'heading'}
+
+/** Returns a parameter's name in words: maxSuspensionForce is max suspension force. */
+export function parameterWords(name) {
+    const lower = (all, end, start) => end + ' ' + start.toLowerCase()
+    return PARAMETERS[name] || name.replace(/([a-z0-9])([A-Z])(?![A-Z])/g, lower).replace(/([a-z0-9])([A-Z])/g, '$1 $2')
+}
+
 // ---- files
 // ---------------------------------------------------------------------------------------------------------------------
 function bytes(base64) {

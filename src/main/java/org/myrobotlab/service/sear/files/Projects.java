@@ -18,6 +18,8 @@ import java.util.TreeMap;
 import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectOrigin;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.bundle.Progress;
@@ -35,6 +37,7 @@ public final class Projects {
 
     private final SimulationControl control;
     private final Host host;
+    private final ProjectShelf shelf = new ProjectShelf();
 
     /** @param host takes the progress of saving and loading; its resources may contain examples */
     public Projects(SimulationControl control, Host host) {
@@ -75,16 +78,61 @@ public final class Projects {
         control.refuseWhileAnyRuns("newProject");
         PortArrivals.anotherProject();
         control.scriptSession().anotherProject();
-        return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
+        Path backup = Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
+        ProjectOrigin.NONE.write(folder());
+        report(backup);
+        return backup;
+    }
+
+    /** Reports a backup with contents, null for none. */
+    private void report(Path backup) {
+        String words = backup == null ? "" : ProjectShelf.words(backup);
+        if (!words.isEmpty()) {
+            host.kept(backup, words);
+        }
+    }
+
+    /** Returns the newest backup; null if there is none. */
+    private static Path newest() throws IOException {
+        List<Path> backups = ProjectSwap.backups(folder());
+        return backups.isEmpty() ? null : backups.get(0);
+    }
+
+    /** Returns where the next save of the project writes. */
+    public ProjectOrigin origin() {
+        try {
+            return ProjectOrigin.of(folder());
+        } catch (IOException e) {
+            return ProjectOrigin.NONE;      // an unreadable file means that the user chooses a name
+        }
     }
 
     /**
-     * Saves the project as a bundle.
+     * Returns the projects of the user and the kept ones for a panel, as {@link ProjectShelf#list} describes them.
+     */
+    public List<Map<String, Object>> list() throws IOException {
+        return shelf.list(folder());
+    }
+
+    /** Returns the picture of a project from above: {@code {"path": path, "svg": text, empty if there is none}}. */
+    public Map<String, Object> picture(String path) throws IOException {
+        return shelf.picture(path);
+    }
+
+    /**
+     * Saves the project as a bundle, which becomes its origin.
      *
      * @param file gets the ending .sear if it has none; its folder must exist
      * @return the absolute path of the bundle
      */
     public synchronized Path save(Path file) throws IOException, ProjectException {
+        Path bundle = write(file);
+        new ProjectOrigin(withEnding(file.toString()), true).write(folder());
+        return bundle;
+    }
+
+    /** Writes a copy of the project like {@link #save}. */
+    public synchronized Path write(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
         return bundle.toAbsolutePath().normalize();
@@ -136,7 +184,7 @@ public final class Projects {
         Path bundle = bundle(ScriptText.path(path));
         boolean saved = overwrite || Files.notExists(bundle);
         if (saved) {
-            save(bundle);
+            save(Paths.get(named));
         }
         Map<String, Object> answer = new LinkedHashMap<>();
         answer.put("asked", path);
@@ -166,20 +214,45 @@ public final class Projects {
      * @param file may be an example's path without a file
      */
     public synchronized void load(Path file) throws IOException, ProjectException {
-        control.refuseWhileAnyRuns("loadProject");
         Path ended = Paths.get(withEnding(file.toString()));
         Path meant = !Files.exists(file) && Files.isRegularFile(ended) ? ended : file;
-        ExampleBundles.with(meant, bundle -> {
+        load(meant, originOf(meant));
+    }
+
+    /** Replaces the project like {@link #load} with a bundle from a panel, whose file is temporary. */
+    public synchronized void receive(Path file) throws IOException, ProjectException {
+        load(file, new ProjectOrigin(file.getFileName().toString(), false));
+    }
+
+    private void load(Path file, ProjectOrigin origin) throws IOException, ProjectException {
+        control.refuseWhileAnyRuns("loadProject");
+        Path before = newest();
+        ExampleBundles.with(file, bundle -> {
             if (!Files.isRegularFile(bundle) && !Files.isDirectory(bundle)) {
                 throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
                     + String.join(", ", examples()));
             }
-            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant),
-                new PercentProgress("loading", meant, host::progress));
+            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, file),
+                new PercentProgress("loading", file, host::progress));
         });
+        origin.write(folder());
         PortArrivals.anotherProject();
         control.scriptSession().anotherProject();
         control.scriptSession().projectTaken();
+        Path after = newest();
+        report(after == null || after.equals(before) ? null : after);
+    }
+
+    /** Examples and other folders propose a bundle in the working folder; a backup has its project's origin. */
+    private static ProjectOrigin originOf(Path file) throws IOException {
+        if (file.getFileName() == null) {
+            return ProjectOrigin.NONE;
+        }
+        if (Files.isDirectory(file)) {
+            return ProjectOrigin.of(file);
+        }
+        boolean own = Files.isRegularFile(file) && !ExampleBundles.isOne(file, file);
+        return new ProjectOrigin(own ? file.toString() : file.getFileName().toString(), own);
     }
 
     /**

@@ -3,8 +3,11 @@ package org.SEAR.learning;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.AxisJoint;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
@@ -14,10 +17,12 @@ import org.SEAR.robot.DriveOrder;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.JointControl;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Controls that an action of a learner sets: motors and servos of its robot by their names, wheel speeds and steering.
+ * Controls that an action of a learner sets: motors and servos of its robot and joints by their names, wheel speeds and
+ * steering.
  * Simulation thread.
  */
 final class Controls {
@@ -27,6 +32,12 @@ final class Controls {
     private static final String STEERING = "steering";
     private static final Set<String> WHEELS = Set.of(LEFT, RIGHT, SPEED);
 
+    /** Endings of a joint's name that choose what an action sets. */
+    private static final Map<String, ActuatorOrder.Kind> OF_JOINTS = Map.of(".position",
+        ActuatorOrder.Kind.JOINT_POSITION, ".speed", ActuatorOrder.Kind.JOINT_SPEED, ".power",
+        ActuatorOrder.Kind.JOINT_POWER);
+
+    private final Simulation simulation;
     private final Robot robot;
     private final int number;
     private final double fastest;
@@ -55,7 +66,8 @@ final class Controls {
      * @param fastest highest wheel speed over ground, m/s
      * @throws IllegalArgumentException with the legal names
      */
-    Controls(Robot robot, int number, double fastest, List<String> names) {
+    Controls(Simulation simulation, Robot robot, int number, double fastest, List<String> names) {
+        this.simulation = simulation;
         this.robot = robot;
         this.number = number;
         this.fastest = fastest;
@@ -93,11 +105,32 @@ final class Controls {
                 .mapToDouble(Wheel::getSteering).min().orElseThrow();
             return new Control(name, ActuatorOrder.Kind.STEERING, robotName(), -most, most);
         }
+        Control ofJoint = ofJoint(name);
+        if (ofJoint != null) {
+            return ofJoint;
+        }
         String parts = robot.getObject().getComponents().stream()
             .filter(part -> part instanceof Motor || part instanceof Servo)
             .map(part -> part.getName() + ", ").collect(Collectors.joining());
+        String joints = simulation.getProject().getJoints().stream().filter(joint -> JointControl.of(joint) != null)
+            .map(joint -> joint.getName() + ", ").collect(Collectors.joining());
         throw new IllegalArgumentException("robot " + robotName() + " has no motor or servo \"" + name
-            + "\" for actions, legal: " + parts + "left and right, speed, steering");
+            + "\" for actions, legal: " + parts + joints + "left and right, speed, steering");
+    }
+
+    /** Returns the control of a joint, or of one quantity of it; null if there is no such joint with a motor. */
+    private Control ofJoint(String name) {
+        for (Joint joint : simulation.getProject().getJoints()) {
+            JointControl control = JointControl.of(joint);
+            String ending = name.startsWith(joint.getName()) ? name.substring(joint.getName().length()) : "";
+            if (control != null && OF_JOINTS.containsKey(ending)) {
+                control = JointControl.of((AxisJoint) joint, OF_JOINTS.get(ending));
+            } else if (control == null || !name.equals(joint.getName())) {
+                continue;
+            }
+            return new Control(name, control.kind, joint.getName(), control.least, control.most);
+        }
+        return null;
     }
 
     /**
@@ -122,7 +155,7 @@ final class Controls {
     }
 
     /** Sets the controls from the next step on: first wheels, then steering, motors and servos. */
-    void give(Simulation simulation, double... values) {
+    void give(double... values) {
         if (controls.stream().anyMatch(control -> control.kind == null)) {
             simulation.post(DriveCommand.wheels(number, wheel(values, LEFT), wheel(values, RIGHT)));
         }

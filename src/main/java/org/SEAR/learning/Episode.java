@@ -41,8 +41,8 @@ public final class Episode implements AutoCloseable {
      * Builds the world of a project.
      *
      * @param name robot name; empty if there is only one
-     * @param sensors sensors to observe, in this order; null: all of the robot's sensors except cameras, or its cameras
-     *     if it has no others
+     * @param sensors sensors and joints to observe, in this order; null: all of the robot's sensors except cameras, or
+     *     its cameras if it has no others
      * @param things objects whose poses are observed, too
      * @param fastest highest wheel speed over ground, m/s
      * @param seed random seed of the sensors
@@ -193,13 +193,13 @@ public final class Episode implements AutoCloseable {
     /**
      * Chooses what the actions of {@link #act} set.
      *
-     * @param names each a motor (power, -1 to 1) or servo (degrees) of the robot, else "left", "right" or "speed"
-     * (wheel
-     *     speeds, m/s; "speed" for both), or "steering" (degrees, + left)
+     * @param names each a motor (power, -1 to 1) or servo (degrees) of the robot, a joint with a motor (its position
+     *     between limits, else its speed; or with the ending ".position", ".speed" or ".power"), else "left", "right"
+     *     or "speed" (wheel speeds, m/s; "speed" for both), or "steering" (degrees, + left)
      * @throws IllegalArgumentException with the legal names
      */
     public void setControls(List<String> names) {
-        controls = new Controls(robot, number, fastest, names);
+        controls = new Controls(simulation, robot, number, fastest, names);
     }
 
     /**
@@ -219,7 +219,7 @@ public final class Episode implements AutoCloseable {
     public void act(double[] values, int steps) {
         checkSteps(steps);
         controls.check(values);
-        controls.give(simulation, values);
+        controls.give(values);
         run(steps);
     }
 

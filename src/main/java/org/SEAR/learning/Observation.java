@@ -23,10 +23,10 @@ import org.SEAR.sensors.Truth;
 import org.SEAR.simulator.Simulation;
 
 /**
- * Observation of a learner after a step: the readings of sensors, then the relative poses of objects, as from a beacon.
- * A LIDAR contributes each beam, right to left; a GPS metres north, up and east of the world's origin, because degrees
- * don't fit into a float. Each number is a float of four bytes. The pictures of cameras follow the numbers: red, green
- * and blue of each pixel, a byte each, row by row from the top left. Simulation thread.
+ * Observation of a learner after a step: the readings of sensors and joints, then the relative poses of objects, as
+ * from a beacon. A LIDAR contributes each beam, right to left; a GPS metres north, up and east of the world's origin,
+ * because degrees don't fit into a float. Each number is a float of four bytes. The pictures of cameras follow the
+ * numbers: red, green and blue of each pixel, a byte each, row by row from the top left. Simulation thread.
  */
 final class Observation {
     private static final double PERCENT = 100;
@@ -63,14 +63,14 @@ final class Observation {
         }
     }
 
-    /** The numbers of one sensor or object. */
+    /** The numbers of one sensor, joint or object. */
     private static final class Part {
         final String name;
         final int at;
         final int size;
         final double low;
         final double high;
-        /** Null for an object. */
+        /** Null for a joint or object. */
         final Sensor<?> sensor;
         final Truth truth;
 
@@ -98,7 +98,7 @@ final class Observation {
         }
         int at = 0;
         for (String name : sensors) {
-            at += add(simulation.getSensor(name), name, at);
+            at += simulation.getJoints().isRead(name) ? addJoint(name, at) : add(simulation.getSensor(name), name, at);
         }
         for (String name : things) {
             simulation.getPose(name);
@@ -106,6 +106,12 @@ final class Observation {
             at += PLACE;
         }
         size = at;
+    }
+
+    private int addJoint(String name, int at) {
+        int count = simulation.read(name).numbers().length;
+        parts.add(new Part(name, at, count, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, null, null));
+        return count;
     }
 
     private int add(Sensor<?> sensor, String name, int at) {
@@ -202,7 +208,13 @@ final class Observation {
         writePictures(to, start + size * Float.BYTES);
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
-            if (part.sensor == null) {
+            if (part.sensor == null && simulation.getJoints().isRead(part.name)) {
+                double[] numbers = simulation.read(part.name).numbers();
+                for (int k = 0; k < part.size; k++) {
+                    put(to, start, part.at + k, numbers[k]);
+                }
+                continue;
+            } else if (part.sensor == null) {
                 place(part, to, start);
                 continue;
             }

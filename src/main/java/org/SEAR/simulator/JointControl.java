@@ -31,8 +31,22 @@ public final class JointControl {
         if (least != null && driven.getUpper() != null) {
             return new JointControl(ActuatorOrder.Kind.JOINT_POSITION, least, driven.getUpper());
         }
-        Double fastest = driven.getNoLoadSpeed();
-        return fastest == null ? new JointControl(ActuatorOrder.Kind.JOINT_POWER, -1, 1)
-            : new JointControl(ActuatorOrder.Kind.JOINT_SPEED, -fastest, fastest);
+        return of(driven, driven.getNoLoadSpeed() == null ? ActuatorOrder.Kind.JOINT_POWER
+            : ActuatorOrder.Kind.JOINT_SPEED);
+    }
+
+    /** Returns one command of a joint with a motor; its range is unlimited without limits. */
+    public static JointControl of(AxisJoint driven, ActuatorOrder.Kind kind) {
+        if (kind == ActuatorOrder.Kind.JOINT_POSITION) {
+            return new JointControl(kind, orElse(driven.getLower(), Double.NEGATIVE_INFINITY),
+                orElse(driven.getUpper(), Double.POSITIVE_INFINITY));
+        }
+        double most = kind == ActuatorOrder.Kind.JOINT_POWER ? 1
+            : orElse(driven.getNoLoadSpeed(), Double.POSITIVE_INFINITY);
+        return new JointControl(kind, -most, most);
+    }
+
+    private static double orElse(Double value, double other) {
+        return value == null ? other : value;
     }
 }

@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
@@ -302,6 +303,26 @@ public class EpisodeTest {
         Project two = Project.read(project.folder());
         assertRefused("robot is not given, legal: one, two", () -> new Episode(two, "", null, List.of(), 1, 1));
         assertEquals("two", new Episode(two, "two", null, List.of("floor"), 1, 1).getRobot());
+    }
+
+    @Test
+    public void jointsAreObservedAndDriven() throws Exception {
+        room();
+        Hinge hinge = new Hinge("gate", null, new Box("leaf", 0.8, 0.04, 1, 5, 2, 1, -2), 2, 1, -2);
+        hinge.setMotor(20, 90);
+        hinge.setLimits(0, 60);
+        try (Episode episode = episode(List.of("gate"))) {
+            assertArrayEquals(new int[] {3}, episode.getSizes());
+            episode.setControls(List.of("gate", "left", "right"));
+            episode.act(new double[] {50, 0, 0}, 120);
+            assertEquals("position", 50, memory.getFloat(episode.getStateBytes()), 0.1);
+            assertRefused("robot roomba: gate is 61, legal: 0 to 60", () -> episode.check(61, 0, 0));
+            episode.setControls(List.of("gate.power"));
+            episode.act(new double[] {-1}, 6);
+            assertTrue("speed", memory.getFloat(episode.getStateBytes() + Float.BYTES) < -10);
+            assertRefused("robot roomba has no motor or servo \"gate.torque\" for actions, legal: gate, left and "
+                + "right, speed, steering", () -> episode.setControls(List.of("gate.torque")));
+        }
     }
 
     @Test

@@ -204,3 +204,10 @@ def draw_Rope():
     for i in range(7):
         rod(BRASS, 0.07, 0.16, 0.02 * (-1) ** i, 0.86 - 0.13 * i, 0, 0, 0, 20 * (-1) ** i)
     rod(BLUE, 0.3, 0.5, 0, -0.25, 0)
+def draw_ForceTorque():
+    rod(DARK, 0.55, 0.3)
+    rod(SILVER, 0.5, 0.35)
+    for angle in (0, 60, 120):
+        box(GREY, 0.9, 0.12, 0.06, 0, 0.18, 0, 0, angle)
+    rod(RED, 0.06, 0.7, 0, 0.5, 0)
+    tip(RED, 0.16, 0.3, 0, 0.9, 0)

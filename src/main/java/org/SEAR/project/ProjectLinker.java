@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
@@ -65,6 +66,7 @@ final class ProjectLinker {
         checkPlaced();
         checkReferences();
         checkJoints();
+        checkSensorsAtJoints();
     }
 
     private void linkRobot(ParsedObject parsed, SEARrobot robot) {
@@ -228,6 +230,19 @@ final class ProjectLinker {
                     problems.add(parsed.file, parsed.line("second"), "second", joint.getSecond(),
                         "an object that can move: this joint connects only"
                         + " fixed ones, and setMass(kg) makes one movable");
+                }
+            }
+        }
+    }
+
+    /** Checks that sensors at joints name one. */
+    private void checkSensorsAtJoints() {
+        for (ParsedObject parsed : owners.keySet()) {
+            if (parsed.object instanceof ForceTorque) {
+                String name = ((ForceTorque) parsed.object).getJoint();
+                ParsedObject joint = name == null ? null : environment.get(name);
+                if (name != null && (joint == null || !joint.isBroken() && !(joint.object instanceof Joint))) {
+                    problems.add(parsed.file, parsed.line("joint"), "joint", name, "the name of a joint");
                 }
             }
         }

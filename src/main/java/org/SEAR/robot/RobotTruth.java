@@ -2,6 +2,7 @@
 package org.SEAR.robot;
 
 import java.util.Arrays;
+import java.util.function.BiConsumer;
 import java.util.function.DoubleSupplier;
 import org.SEAR.camera.Appearances;
 import org.SEAR.geometry.Pose;
@@ -40,6 +41,7 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
     private DoubleSupplier encoders;
+    private BiConsumer<String, double[]> wrenches;
 
     public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth,
         long epochMillis, WorkerPool workers) {
@@ -52,6 +54,16 @@ public final class RobotTruth implements Truth {
         this.earth = earth;
         this.epochMillis = epochMillis;
         this.workers = workers;
+    }
+
+    /** @param ofJoints copies the force and torque of a joint by its name, see {@link Truth#wrench} */
+    public void setWrenches(BiConsumer<String, double[]> ofJoints) {
+        wrenches = ofJoints;
+    }
+
+    @Override
+    public void wrench(String joint, double[] into) {
+        wrenches.accept(joint, into);
     }
 
     void restart() {

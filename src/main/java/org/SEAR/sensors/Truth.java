@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.sensors;
 
+import java.util.Arrays;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.camera.Appearances;
 import org.SEAR.camera.PlainAppearance;
@@ -96,6 +97,15 @@ public interface Truth {
     /** Returns the appearance of shapes for cameras. */
     default Appearances looks() {
         return shape -> new PlainAppearance(color(shape, 0, 0, 0), Shape.AMBIENT);
+    }
+
+    /**
+     * Copies the mean force and torque of the last step on a joint's second object, at the joint; default: zeros.
+     *
+     * @param into takes {fx, fy, fz, tx, ty, tz}, N and N m, world frame
+     */
+    default void wrench(String joint, double[] into) {
+        Arrays.fill(into, 0);
     }
 
     /** Returns the pool that shares a sensor's work among the machine's cores; default: the calling thread alone. */

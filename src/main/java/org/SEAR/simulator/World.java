@@ -109,12 +109,11 @@ final class World implements PhysicsWorld.Touches {
         }
         places.end();
         joints = new WorldJoints(project, physics, reported);
-        JointAdvice.of(project).forEach((name, why) -> warnings.add("joint " + name + " does not move: " + why));
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this);
         restart(seed);
-        WorldJoints.check(physics);
+        joints.check(project, physics, warnings);
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 

@@ -130,8 +130,14 @@ public final class WorldJoints {
         }
     }
 
-    /** @throws ProjectException if a mechanism has too many couplings for memory and time */
-    static void check(PhysicsWorld physics) throws ProjectException {
+    /**
+     * Warns of joints that can't move.
+     *
+     * @throws ProjectException if a mechanism has too many couplings for memory and time
+     */
+    void check(Project project, PhysicsWorld physics, List<String> warnings) throws ProjectException {
+        JointAdvice.of(project).forEach((name, why) ->
+            warnings.add(found(name).object + " does not move: " + why));
         if (physics.getCouplings() > MAX_COUPLINGS) {
             throw new ProjectException(List.of(new Problem("environment", 0, "", physics.getCouplings()
                 + " pairs of joints act on a common object, directly or by other joints", "at most " + MAX_COUPLINGS
@@ -268,8 +274,13 @@ public final class WorldJoints {
      */
     public double[] wrench(String name) {
         double[] wrench = new double[6];
-        found(name).joint.wrench(wrench, TimeStep.SECONDS);
+        wrench(name, wrench);
         return wrench;
+    }
+
+    /** Copies the numbers of {@link #wrench(String)}. */
+    void wrench(String name, double[] into) {
+        found(name).joint.wrench(into, TimeStep.SECONDS);
     }
 
     private Made axisJoint(String name) {

@@ -68,13 +68,16 @@ public class GrammarTest {
             }
             Map<String, Object> values = new HashMap<>();
             for (Map<String, Object> parameter : parameters(type)) {
+                if (type.get("type").equals("ForceTorque")) {
+                    continue;
+                }
                 if (Boolean.TRUE.equals(parameter.get("required")) && "".equals(parameter.get("initial"))
                     && !parameter.get("name").equals("name")) {
                     values.put((String) parameter.get("name"), "models/tree.j3o");
                 }
             }
             boolean file = !values.isEmpty();
-            boolean second = type.get("type").equals("Dynamics");
+            boolean second = type.get("type").equals("Dynamics") || type.get("type").equals("ForceTorque");
             if (!file && !second) {
                 Map<String, Object> edit = new HashMap<>(Map.of("do", "add", "type", type.get("type")));
                 if (!Boolean.TRUE.equals(type.get("environment")) && Boolean.TRUE.equals(type.get("robot"))) {

@@ -22,7 +22,8 @@ const WORDS = {
     LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
     chassis: 'Chassis',
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture',
-    Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring'
+    Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
+    ForceTorque: 'Force and torque'
 }
 // Other search words.
 const ALSO = {
@@ -42,7 +43,8 @@ const ALSO = {
     Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern',
     Picture: 'image poster sign photo',
     Hinge: 'joint revolute door axle', Slider: 'joint prismatic lift rail', BallJoint: 'joint hitch trailer spherical',
-    FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic'
+    FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
+    ForceTorque: 'joint wrench load cell scale strain'
 }
 const ALSO_ROBOTS = 'robot'
 export const PICTURED = Object.keys(WORDS)

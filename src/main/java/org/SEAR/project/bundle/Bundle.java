@@ -148,8 +148,8 @@ public final class Bundle {
      * a number.
      *
      * @param robot its name in the bundle; null or empty for the only robot
-     * @param progress receives messages about removed backups
-     * @return new names by old names; the robot's comes first
+     * @param progress receives messages about removed backups, and about joints with an object that is not imported
+     * @return new names by old names, with those of its joints to the world; the robot's comes first
      * @throws ProjectException with all problems of either project, or of the result; the project stays unchanged
      */
     public static Map<String, String> importRobot(Path file, Path folder, String robot, Progress progress)
@@ -195,9 +195,11 @@ public final class Bundle {
             }
             Project source = Project.read(unpacked);
             source.checkFiles();
-            Map<String, String> renamed = choice.of(source, new Import(source, present, staging));
+            Import to = new Import(source, present, staging);
+            Map<String, String> renamed = choice.of(source, to);
             Project.read(staging);
             ProjectOrigin origin = ProjectOrigin.of(project);
+            to.left().forEach(progress::said);
             swap.putInPlace(progress::said);
             origin.write(project);
             return renamed;

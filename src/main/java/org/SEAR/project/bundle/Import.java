@@ -19,6 +19,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -45,6 +46,8 @@ final class Import {
     /** Names of the parts of the target's robots. */
     private final Set<String> parts = new HashSet<>();
     private final Set<String> ports = new HashSet<>();
+    /** Messages about objects that the import leaves behind. */
+    private final List<String> left = new ArrayList<>();
     /** Position of the last robot in the order of robots; 0 if there is none. */
     private int lastRobot;
 
@@ -81,7 +84,7 @@ final class Import {
     }
 
     /**
-     * Copies the whole environment, with its joints; those of a robot or of an object that is missing stay behind.
+     * Copies the whole environment, with its joints; those of a robot stay behind, see {@link #left}.
      *
      * @return new names by old names
      */
@@ -97,26 +100,53 @@ final class Import {
             write(object, ProjectFolder.ENVIRONMENT, renamed.get(object.getName()), prefix);
         }
         for (Joint joint : source.getJoints()) {
-            if (renamed.containsKey(joint.getSecond())
-                && (joint.getFirst() == null || renamed.containsKey(joint.getFirst()))) {
-                set(joint, "first", renamed::get);
-                set(joint, "second", renamed::get);
-                String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
-                names.add(key(name));
-                write(joint, ProjectFolder.ENVIRONMENT, name, prefix);
-            }
+            copy(joint, renamed, prefix, name -> true);
         }
         return renamed;
     }
 
+    /** Returns messages about what was left behind. */
+    List<String> left() {
+        return left;
+    }
+
     /**
-     * Copies a robot with all its parts, as the last of the target's robots. Its parts may have the same names as other
-     * robots' parts.
+     * Copies a joint if all its objects are copied.
+     *
+     * @param renamed new names of copied objects by old names; gets the joint's
+     * @param reported whether a joint that has an object of this name and stays behind is worth a message
+     */
+    private void copy(Joint joint, Map<String, String> renamed, String prefix, Predicate<String> reported)
+        throws IOException {
+        List<String> missing = new ArrayList<>();
+        for (String end : Arrays.asList(joint.getFirst(), joint.getSecond())) {
+            if (end != null && !renamed.containsKey(end)) {
+                missing.add(end);
+            }
+        }
+        if (!missing.isEmpty()) {
+            if (reported.test(joint.getFirst()) || reported.test(joint.getSecond())) {
+                left.add(joint + " stays behind: the import does not copy " + String.join(" and ", missing)
+                    + ", which it joins");
+            }
+            return;
+        }
+        set(joint, "first", renamed::get);
+        set(joint, "second", renamed::get);
+        String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
+        names.add(key(name));
+        renamed.put(joint.getName(), name);
+        write(joint, ProjectFolder.ENVIRONMENT, name, prefix);
+    }
+
+    /**
+     * Copies a robot with all its parts and its joints to the world, as the last of the target's robots. Its parts may
+     * have the same names as other robots' parts.
      *
      * @return new names by old names; the robot's comes first
      */
     Map<String, String> robot(SEARrobot robot) throws IOException {
-        List<SearObject> components = List.copyOf(robot.getComponents());
+        List<SearObject> components = withoutLonely(robot);
         Set<String> own = new HashSet<>();
         components.forEach(part -> own.add(key(part.getName())));
         robot.getWheels().forEach(wheel -> own.add(key(wheel.getName())));
@@ -137,14 +167,32 @@ final class Import {
         }
         ParameterTable.of(SEARrobot.class).find("order")
             .set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
-        set(robot, "component", files::get);
+        ParameterTable.of(SEARrobot.class).find("component").set(robot, new ArrayList<>(files.values()));
         String prefix = copyAssets();
+        for (Joint joint : source.getJoints()) {
+            copy(joint, renamed, prefix, robot.getName()::equals);
+        }
         Iterator<String> file = files.values().iterator();
         for (SearObject part : components) {
+            if (part instanceof ForceTorque) {
+                set(part, "joint", renamed::get);
+            }
             writePart(part, renamed.get(part.getName()), file.next(), prefix);
         }
         write(robot, ProjectFolder.ROBOT, robotName, prefix);
         return renamed;
+    }
+
+    /** Returns the parts of a robot without sensors at joints that stay behind. */
+    private List<SearObject> withoutLonely(SEARrobot robot) {
+        List<SearObject> all = new ArrayList<>(robot.getComponents());
+        for (Joint joint : source.getJoints()) {
+            boolean comes = joint.getFirst() == null && joint.getSecond().equals(robot.getName());
+            all.removeIf(part -> !comes && part instanceof ForceTorque
+                && joint.getName().equals(((ForceTorque) part).getJoint())
+                && left.add(part + " stays behind: the import does not copy " + joint.getName() + ", which it measures"));
+        }
+        return all;
     }
 
     /** Returns whether another part or the robot itself uses the file in {@code robot/}. */

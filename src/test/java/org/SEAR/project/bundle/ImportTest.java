@@ -8,6 +8,8 @@ import static org.junit.Assert.fail;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
@@ -52,6 +54,51 @@ public class ImportTest {
     private static String parts(SEARrobot robot) {
         return robot.getName() + robot.getComponents().stream().map(part -> part.getName())
             .collect(Collectors.toList());
+    }
+
+    @Test
+    public void jointsComeWithAllTheirObjectsAndOthersAreNamed() throws Exception {
+        project.put("environment/mast.xml", "<Hinge><name>mast</name><second>rover</second></Hinge>");
+        project.put("environment/hook.xml",
+            "<BallJoint><name>hook</name><first>crate</first><second>rover</second></BallJoint>");
+        project.put("environment/pin.xml", "<FixedJoint><name>pin</name><second>crate</second></FixedJoint>");
+        project.put("environment/crate.xml", project.text("environment/crate.xml").replace("</height>",
+            "</height><mass>1</mass>"));
+        project.put("robot/rover.xml", project.text("robot/rover.xml").replace("<component>eye</component>",
+            "<component>eye</component><component>scale</component><component>wrist</component>"));
+        project.put("robot/scale.xml", "<ForceTorque><name>scale</name><joint>mast</joint></ForceTorque>");
+        project.put("robot/wrist.xml", "<ForceTorque><name>wrist</name><joint>hook</joint></ForceTorque>");
+        Bundle.save(project.folder(), bundle);
+        List<String> said = new ArrayList<>();
+        Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover", saying(said));
+        assertEquals("mast_2", renamed.get("mast"));
+        assertEquals("[ForceTorque \"wrist\" stays behind: the import does not copy hook, which it measures, "
+            + "BallJoint \"hook\" stays behind: the import does not copy crate, which it joins]", said.toString());
+        assertEquals("[BallJoint \"hook\", Hinge \"mast\", Hinge \"mast_2\", FixedJoint \"pin\"]",
+            read().getJoints().toString());
+        assertEquals("rover_2", read().getJoints().get(2).getSecond());
+        assertTrue(project.text("robot/rover_2/scale.xml").contains("<joint>mast_2</joint>"));
+        said.clear();
+        renamed = Bundle.importEnvironment(bundle, project.folder(), saying(said));
+        assertEquals("pin_2", renamed.get("pin"));
+        assertEquals("[BallJoint \"hook\" stays behind: the import does not copy rover, which it joins, "
+            + "Hinge \"mast\" stays behind: the import does not copy rover, which it joins]", said.toString());
+    }
+
+    private static Progress saying(List<String> said) {
+        return new Progress() {
+            @Override
+            public void at(String file, long done, long total) {
+                // only messages count
+            }
+
+            @Override
+            public void said(String line) {
+                if (line.contains("behind")) {
+                    said.add(line);
+                }
+            }
+        };
     }
 
     @Test

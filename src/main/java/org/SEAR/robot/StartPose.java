@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.robot;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
@@ -12,10 +15,16 @@ import org.SEAR.project.ObjectPose;
  * dissertation's Listing 2, which has 180 degrees at the wrong axis. The robot then stands upright, turned by 180
  * degrees, with a warning.
  */
-final class StartPose {
+public final class StartPose {
     private static final double HALF_TURN = 180;
 
     private StartPose() {
+    }
+
+    /** Returns the start pose of a robot's body as written, before the ground lifts it; its own without a Dynamics. */
+    public static Pose of(SEARrobot robot) {
+        return robot.getComponents().stream().filter(Dynamics.class::isInstance).findFirst()
+            .map(dynamics -> of(robot, dynamics, new ArrayList<>())).orElse(ObjectPose.of(robot));
     }
 
     /** @param warnings takes a warning for each correction */

@@ -31,6 +31,7 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.StartPose;
 import org.SEAR.sensors.JointReading;
 
 /** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
@@ -82,7 +83,7 @@ public final class WorldJoints {
         physics.getBodies().forEach(body -> bodies.putIfAbsent(body.name, body));
         Map<String, Pose> written = new HashMap<>();
         project.getEnvironment().forEach(thing -> written.put(thing.getName(), ObjectPose.of(thing)));
-        project.getRobots().forEach(robot -> written.put(robot.getName(), ObjectPose.of(robot)));
+        project.getRobots().forEach(robot -> written.put(robot.getName(), StartPose.of(robot)));
         for (org.SEAR.POJOs.Joint object : project.getJoints()) {
             Body first = object.getFirst() == null ? null : bodies.get(object.getFirst());
             Body second = bodies.get(object.getSecond());

@@ -190,7 +190,8 @@ final class Import {
             boolean comes = joint.getFirst() == null && joint.getSecond().equals(robot.getName());
             all.removeIf(part -> !comes && part instanceof ForceTorque
                 && joint.getName().equals(((ForceTorque) part).getJoint())
-                && left.add(part + " stays behind: the import does not copy " + joint.getName() + ", which it measures"));
+                && left.add(part + " stays behind: the import does not copy " + joint.getName()
+                    + ", which it measures"));
         }
         return all;
     }

@@ -347,7 +347,7 @@ public class SearCommandTest {
     public void checkDistinguishesGoodExamplesBrokenFoldersAndHostileBundles() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
         for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover",
-            "sensors", "turret"}) {
+            "sensors", "truck", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
             assertEquals(out + err, 0, sear("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));

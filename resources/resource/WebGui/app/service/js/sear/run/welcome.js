@@ -15,6 +15,7 @@ const EXAMPLES = {
     ramps: ['Ramps', 'Slopes, steps and kerbs: what can it climb?'],
     mountain: ['Mountain', 'Real terrain from elevation data.'],
     car: ['Car', 'A steered car on a road.'],
+    truck: ['Truck', 'A truck with a trailer: try to reverse.'],
     line: ['Line', 'A black line on the floor to follow.'],
     rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
     turret: ['Turret', 'A distance sensor turned by a servo.'],

@@ -4,6 +4,7 @@ package org.SEAR.project.edit;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.grammar.ParameterTable;
@@ -13,7 +14,7 @@ final class JointReferences {
     private JointReferences() {
     }
 
-    /** Replaces an old name in all joints. */
+    /** Replaces an old name of an object in all joints, and of a joint in all sensors. */
     static void follow(EditDraft draft, String old, String now) throws IOException {
         for (String path : draft.list(false)) {
             Joint joint = joint(draft, path, old);
@@ -21,6 +22,13 @@ final class JointReferences {
                 ParameterTable.of(joint.getClass()).get(old.equals(joint.getFirst()) ? "first" : "second")
                     .set(joint, now);
                 draft.write(path, joint);
+            }
+        }
+        for (String path : draft.list(true)) {
+            SearObject sensor = draft.readIfWhole(path);
+            if (sensor instanceof ForceTorque && old.equals(((ForceTorque) sensor).getJoint())) {
+                ParameterTable.of(ForceTorque.class).get("joint").set(sensor, now);
+                draft.write(path, sensor);
             }
         }
     }

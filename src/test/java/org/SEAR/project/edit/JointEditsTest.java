@@ -11,7 +11,9 @@ import java.util.TreeMap;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.FixedJoint;
+import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.Hinge;
+import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.Slider;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
@@ -75,6 +77,16 @@ public class JointEditsTest extends EditedProject {
             + "ring2=a fixed joint holds the world and shelf together, second=rail" + other
             + ", stiff=its friction, 1.5, "
             + "is not below the force of its motor at standstill, 1}", new TreeMap<>(reasons).toString());
+    }
+
+    @Test
+    public void aSensorFollowsARenamedJointAndKeepsItFromBeingDeleted() throws Exception {
+        door();
+        Robots.rover("rover").addComponent(new ForceTorque("scale", "hinge"));
+        edit("do", "rename", "object", "hinge", "name", "pivot");
+        assertEquals("pivot", value("scale", "joint"));
+        String said = assertThrows(ProjectException.class, () -> edit("do", "delete", "object", "pivot")).getMessage();
+        assertTrue(said, said.contains("scale.xml") && said.contains("legal: the name of a joint"));
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.SEAR.collision;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.SEAR.geometry.Vec3;
 
 /**
  * Three perpendicular axes along which a mesh has most of its faces. They are the axes of its file unless others have
@@ -28,16 +29,14 @@ final class FaceAxes {
      * @param indices three per triangle
      */
     static FaceAxes of(double[] points, int[] indices) {
-        Map<Integer, double[]> sums = new LinkedHashMap<>();
+        Map<Integer, Vec3> sums = new LinkedHashMap<>();
+        Vec3 n = new Vec3();
         for (int i = 0; i < indices.length; i += 3) {
-            double[] n = normal(points, indices, i);
-            double length = length(n);
+            setNormal(n, points, indices, i);
+            double length = n.length();
             if (length > 0) {
-                double sign = Math.signum(n[0] != 0 ? n[0] : n[1] != 0 ? n[1] : n[2]);
-                double[] sum = sums.computeIfAbsent(cell(n, sign / length), key -> new double[3]);
-                for (int k = 0; k < 3; k++) {
-                    sum[k] += sign * n[k];
-                }
+                double sign = Math.signum(n.x != 0 ? n.x : n.y != 0 ? n.y : n.z);
+                sums.computeIfAbsent(cell(n, sign / length), key -> new Vec3()).add(sign, n);
             }
         }
         FaceAxes own = new FaceAxes(1, 0, 0, 0, 1, 0, 0, 0, 1);
@@ -45,60 +44,60 @@ final class FaceAxes {
         return other != null && other.area(points, indices) > MORE * own.area(points, indices) ? other : own;
     }
 
-    private static FaceAxes of(Map<Integer, double[]> sums) {
-        double[] first = largest(sums, null);
-        double[] second = first == null ? null : largest(sums, first);
+    private static FaceAxes of(Map<Integer, Vec3> sums) {
+        Vec3 first = largest(sums, null);
+        Vec3 second = first == null ? null : largest(sums, first);
         if (second == null) {
             return null;
         }
-        double[] third = {first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2],
-            first[0] * second[1] - first[1] * second[0]};
-        return new FaceAxes(first[0], first[1], first[2], second[0], second[1], second[2], third[0],
-            third[1], third[2]);
+        Vec3 third = new Vec3().cross(first, second);
+        return new FaceAxes(first.x, first.y, first.z, second.x, second.y, second.z, third.x, third.y, third.z);
     }
 
     /** Returns the direction of the largest sum; with an axis, of the largest perpendicular to it. */
-    private static double[] largest(Map<Integer, double[]> sums, double[] axis) {
-        double[] best = null;
-        for (double[] sum : sums.values()) {
-            if ((axis == null || Math.abs(dot(sum, axis)) < ALONG * length(sum))
-                && (best == null || length(sum) > length(best))) {
+    private static Vec3 largest(Map<Integer, Vec3> sums, Vec3 axis) {
+        Vec3 best = null;
+        for (Vec3 sum : sums.values()) {
+            if ((axis == null || Math.abs(sum.dot(axis)) < ALONG * sum.length())
+                && (best == null || sum.length() > best.length())) {
                 best = sum;
             }
         }
         if (best == null) {
             return null;
         }
-        double[] unit = best.clone();
-        for (int k = 0; k < 3 && axis != null; k++) {
-            unit[k] -= dot(best, axis) * axis[k];
+        Vec3 unit = new Vec3().set(best);
+        if (axis != null) {
+            unit.flatten(axis);
         }
-        double length = length(unit);
-        return new double[] {unit[0] / length, unit[1] / length, unit[2] / length};
+        double length = unit.length();
+        return unit.set(unit.x / length, unit.y / length, unit.z / length);
     }
 
-    private static int cell(double[] n, double scale) {
-        int x = (int) Math.round(n[0] * scale * STEPS) + STEPS;
-        int y = (int) Math.round(n[1] * scale * STEPS) + STEPS;
-        int z = (int) Math.round(n[2] * scale * STEPS) + STEPS;
+    private static int cell(Vec3 n, double scale) {
+        int x = (int) Math.round(n.x * scale * STEPS) + STEPS;
+        int y = (int) Math.round(n.y * scale * STEPS) + STEPS;
+        int z = (int) Math.round(n.z * scale * STEPS) + STEPS;
         return (x << 6 | y) << 6 | z;
     }
 
     /** Returns twice the area of the faces along the axes. */
     private double area(double[] points, int[] indices) {
         double area = 0;
+        Vec3 n = new Vec3();
         for (int i = 0; i < indices.length; i += 3) {
-            double[] n = normal(points, indices, i);
+            setNormal(n, points, indices, i);
             double most = 0;
             for (int k = 0; k < 9; k += 3) {
-                most = Math.max(most, Math.abs(n[0] * axes[k] + n[1] * axes[k + 1] + n[2] * axes[k + 2]));
+                most = Math.max(most, Math.abs(n.x * axes[k] + n.y * axes[k + 1] + n.z * axes[k + 2]));
             }
-            area += most > (1 - ALONG * ALONG / 2) * length(n) ? length(n) : 0;
+            area += most > (1 - ALONG * ALONG / 2) * n.length() ? n.length() : 0;
         }
         return area;
     }
 
-    private static double[] normal(double[] p, int[] indices, int at) {
+    /** Sets the normal of a triangle, as long as twice its area. */
+    private static void setNormal(Vec3 normal, double[] p, int[] indices, int at) {
         int a = 3 * indices[at];
         int b = 3 * indices[at + 1];
         int c = 3 * indices[at + 2];
@@ -108,15 +107,7 @@ final class FaceAxes {
         double wx = p[c] - p[a];
         double wy = p[c + 1] - p[a + 1];
         double wz = p[c + 2] - p[a + 2];
-        return new double[] {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    }
-
-    private static double length(double[] a) {
-        return Math.sqrt(dot(a, a));
+        normal.set(uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx);
     }
 
     /** Returns points of the mesh's frame along these axes. */

@@ -8,6 +8,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.SEAR.files.LongWork;
 import org.SEAR.files.PrintableText;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
@@ -49,6 +50,7 @@ abstract class ProjectCommand implements Callable<Integer> {
         PrintWriter out = PrintableText.writer(spec.commandLine().getOut());
         PrintWriter err = PrintableText.writer(spec.commandLine().getErr());
         String unreadable = "sear " + spec.name() + ": " + path + " can't be read: ";
+        Runnable reported = LongWork.listen(err::println);
         try {
             print(ExampleBundles.with(path, found -> read(found, err)), path, out);
             return ExitCode.OK;
@@ -58,6 +60,8 @@ abstract class ProjectCommand implements Callable<Integer> {
             print(e, path, out, err);
         } catch (IOException e) {
             err.println(unreadable + FileReasons.of(e));
+        } finally {
+            reported.run();
         }
         return PROBLEMS;
     }

@@ -4,6 +4,7 @@ package org.SEAR.collision;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 
 /**
  * Approximate convex decomposition. The part whose hull has most empty voxels is cut in two, across an axis of
@@ -28,6 +29,8 @@ public final class ConvexParts {
     private static final double FACE = 16;
     /** Share of volume that a union of two parts may add. */
     private static final double ADDED = 0.02;
+    /** Share of the work until all parts are cut. */
+    private static final double CUTTING = 0.5;
     /** Distance within which parts are neighbours, as a share of a voxel. */
     private static final double BESIDE = 0.1;
 
@@ -36,8 +39,10 @@ public final class ConvexParts {
     private final List<CellPart> parts = new ArrayList<>();
     /** Number of empty voxels that a part may have. */
     private final double allowed;
+    private final DoubleConsumer progress;
 
-    private ConvexParts(List<double[]> polygons) {
+    private ConvexParts(List<double[]> polygons, DoubleConsumer progress) {
+        this.progress = progress;
         double[] cell = bounds(polygons);
         grid = new VoxelGrid(polygons, Arrays.copyOf(cell, 3), Arrays.copyOfRange(cell, 3, 6));
         for (int axis = 0; axis < 3; axis++) {
@@ -52,9 +57,10 @@ public final class ConvexParts {
     /**
      * @param points x, y, z of each vertex, metres
      * @param indices three per triangle, at least one triangle
+     * @param progress takes the done share of the work, 0 to 1, many times
      * @return at most {@link #MAX_PARTS} hulls that contain all triangles
      */
-    public static List<ConvexHull> of(double[] points, int[] indices) {
+    public static List<ConvexHull> of(double[] points, int[] indices, DoubleConsumer progress) {
         FaceAxes axes = FaceAxes.of(points, indices);
         double[] turned = axes.along(points);
         List<double[]> triangles = new ArrayList<>();
@@ -65,7 +71,7 @@ public final class ConvexParts {
             }
             triangles.add(triangle);
         }
-        List<ConvexHull> hulls = new ConvexParts(triangles).union();
+        List<ConvexHull> hulls = new ConvexParts(triangles, progress).union();
         hulls.replaceAll(hull -> ConvexHull.of(axes.back(hull.corners())));
         return hulls;
     }
@@ -111,6 +117,7 @@ public final class ConvexParts {
     private void cutAll() {
         List<CellPart> whole = new ArrayList<>();
         while (!parts.isEmpty() && parts.size() + whole.size() < MAX_CUT) {
+            progress.accept(CUTTING * (parts.size() + whole.size()) / MAX_CUT);
             int worst = 0;
             int polygons = 0;
             for (int i = 0; i < parts.size(); i++) {
@@ -139,6 +146,7 @@ public final class ConvexParts {
         hulls.forEach(hull -> boxes.add(bounds(List.of(hull.corners()))));
         List<Pair> pairs = new ArrayList<>();
         for (int i = 0; i < hulls.size(); i++) {
+            progress.accept(CUTTING + (1 - CUTTING) * i / hulls.size());
             addPairs(i, hulls, boxes, pairs, i);
         }
         int count = hulls.size();

@@ -5,6 +5,7 @@ import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.Test;
@@ -12,7 +13,7 @@ import org.junit.Test;
 /** Parts of meshes with known volumes, and of meshes that enclose nothing. */
 public class ConvexPartsTest {
     private static List<ConvexHull> parts(Meshes mesh) {
-        return ConvexParts.of(mesh.points(), mesh.indices());
+        return ConvexParts.of(mesh.points(), mesh.indices(), share -> { });
     }
 
     private static double volume(List<ConvexHull> parts) {
@@ -89,9 +90,11 @@ public class ConvexPartsTest {
             for (int k = 0; k < points.length; k++) {
                 points[k] = (float) (size[k % 3] * random.nextInt(5));
             }
+            List<Double> shares = new ArrayList<>();
             int[] indices = random.ints(3 * (1 + random.nextInt(20)), 0, points.length / 3).toArray();
-            List<ConvexHull> parts = ConvexParts.of(points, indices);
+            List<ConvexHull> parts = ConvexParts.of(points, indices, shares::add);
             String what = "seed " + seed + ", mesh " + i;
+            assertTrue(what + ": " + shares, shares.stream().allMatch(share -> share >= 0 && share < 1));
             assertTrue(what, parts.size() <= ConvexParts.MAX_PARTS && parts.size() > 0);
             assertTrue(what, Double.isFinite(volume(parts)));
         }

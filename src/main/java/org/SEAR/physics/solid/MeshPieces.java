@@ -12,6 +12,7 @@ import java.util.Map;
 import org.SEAR.POJOs.Model;
 import org.SEAR.collision.ConvexParts;
 import org.SEAR.collision.ConvexShape;
+import org.SEAR.files.LongWork;
 import org.SEAR.geometry.Triangles;
 
 /** Convex parts of models; those of the latest meshes are cached by content. Any thread. */
@@ -41,11 +42,18 @@ final class MeshPieces {
         }
     }
 
-    /** @param points x, y, z of the mesh's vertices, scaled, metres */
-    static List<ConvexShape> of(Triangles mesh, double[] scale, double[] points) {
+    /**
+     * Returns the parts, and reports the progress as {@link LongWork}.
+     *
+     * @param points x, y, z of the mesh's vertices, scaled, metres
+     * @param model its name
+     */
+    static List<ConvexShape> of(Triangles mesh, double[] scale, double[] points, String model) {
         List<?> key = List.of(FloatBuffer.wrap(mesh.vertices), IntBuffer.wrap(mesh.indices), DoubleBuffer.wrap(scale));
         synchronized (CACHE) {
-            return CACHE.computeIfAbsent(key, absent -> List.copyOf(ConvexParts.of(points, mesh.indices)));
+            LongWork work = new LongWork("model " + model + ": splitting into convex parts");
+            return CACHE.computeIfAbsent(key,
+                absent -> List.copyOf(ConvexParts.of(points, mesh.indices, work::report)));
         }
     }
 }

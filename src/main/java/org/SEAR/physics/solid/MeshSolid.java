@@ -28,19 +28,22 @@ class MeshSolid extends Solid {
     private final double[][] corners;
     /** How it collides, see {@link Model#getCollision}; exact also for the default: only fixed bodies use triangles. */
     private final String collision;
+    /** Name of the model. */
+    private final String name;
     private List<ConvexShape> pieces;
     private boolean integrated;
     private VolumeIntegrals integrals;
 
     /** @param scale along x, y and z */
     MeshSolid(Triangles mesh, double[] scale, Pose offset) {
-        this(mesh, scale, offset, Model.EXACT);
+        this(mesh, scale, offset, Model.EXACT, "");
     }
 
-    private MeshSolid(Triangles mesh, double[] scale, Pose offset, String collision) {
+    private MeshSolid(Triangles mesh, double[] scale, Pose offset, String collision, String name) {
         super(half(mesh, scale, 0), half(mesh, scale, 1), half(mesh, scale, 2), offset);
         this.mesh = mesh;
         this.collision = collision;
+        this.name = name;
         this.scale = scale;
         corners = MeshShapes.corners(mesh, scale[0], scale[1], scale[2], DRAWN_DIRECTIONS).stream()
             .map(corner -> new double[] {corner.x, corner.y, corner.z}).toArray(double[][]::new);
@@ -52,8 +55,7 @@ class MeshSolid extends Solid {
             MeshPieces.check(mesh, model);
         }
         return new MeshSolid(mesh, new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()},
-            Pose.IDENTITY,
-            model.hasCollision() ? model.getCollision() : Model.EXACT);
+            Pose.IDENTITY, model.hasCollision() ? model.getCollision() : Model.EXACT, model.getName());
     }
 
     private static double half(Triangles mesh, double[] scale, int axis) {
@@ -77,7 +79,7 @@ class MeshSolid extends Solid {
     @Override
     public List<ConvexShape> pieces() {
         if (pieces == null) {
-            pieces = collision.equals(Model.PARTS) ? MeshPieces.of(mesh, scale, points()) : super.pieces();
+            pieces = collision.equals(Model.PARTS) ? MeshPieces.of(mesh, scale, points(), name) : super.pieces();
         }
         return pieces;
     }

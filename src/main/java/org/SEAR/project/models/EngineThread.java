@@ -4,6 +4,9 @@ package org.SEAR.project.models;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.SEAR.files.LongWork;
 
 /**
  * Runs one task of jMonkeyEngine's loaders on a new thread and waits for it. The loaders use thread-local scratch
@@ -18,11 +21,12 @@ final class EngineThread {
     private EngineThread() { }
 
     /**
-     * Returns the result of the work. An interrupted caller keeps waiting and stays interrupted.
+     * Returns the result of the work. Meanwhile the calling thread reports its progress, and an interrupted caller
+     * keeps waiting and stays interrupted.
      *
      * @throws ExecutionException with the exception or error of the work
      */
-    static <T> T call(Callable<T> work) throws ExecutionException {
+    static <T> T call(Callable<T> work, LongWork progress) throws ExecutionException {
         FutureTask<T> task = new FutureTask<>(work);
         Thread thread = new Thread(null, task, "SEAR model loader", STACK);
         thread.setDaemon(true);
@@ -32,7 +36,9 @@ final class EngineThread {
         try {
             while (true) {
                 try {
-                    return task.get();
+                    return task.get(progress.untilReport(), TimeUnit.NANOSECONDS);
+                } catch (TimeoutException e) {
+                    progress.report();
                 } catch (InterruptedException e) {
                     interrupted = true;
                 }

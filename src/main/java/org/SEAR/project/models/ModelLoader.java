@@ -18,6 +18,7 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.files.Assets;
 import org.SEAR.files.FileLimits;
 import org.SEAR.files.InvalidFile;
+import org.SEAR.files.LongWork;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.project.models.format.ModelLimits;
 
@@ -182,7 +183,7 @@ public final class ModelLoader {
 
     private static <T> T onEngineThread(Model model, Callable<T> work) throws IOException {
         try {
-            return EngineThread.call(work);
+            return EngineThread.call(work, new LongWork("model " + model.getName() + ": reading " + model.getPath()));
         } catch (ExecutionException e) {
             throw failure(model, e.getCause());
         }

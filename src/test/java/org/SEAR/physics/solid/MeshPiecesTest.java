@@ -32,9 +32,9 @@ public class MeshPiecesTest {
     public void theSameContentIsSplitOnce() {
         Meshes pair = new Meshes().box(0, 0, 0, 1, 1, 1).box(2, 0, 0, 3, 1, 1);
         double[] scale = {1, 1, 1};
-        assertEquals(2, MeshPieces.of(triangles(pair), scale, pair.points()).size());
-        assertSame(MeshPieces.of(triangles(pair), scale, pair.points()),
-            MeshPieces.of(triangles(pair), scale, pair.points()));
+        assertEquals(2, MeshPieces.of(triangles(pair), scale, pair.points(), "pair").size());
+        assertSame(MeshPieces.of(triangles(pair), scale, pair.points(), "pair"),
+            MeshPieces.of(triangles(pair), scale, pair.points(), "pair"));
     }
 
     private static Triangles triangles(Meshes mesh) {

@@ -8,14 +8,17 @@ import static org.junit.Assert.assertTrue;
 
 import com.jme3.util.TempVars;
 import java.util.concurrent.ExecutionException;
+import org.SEAR.files.LongWork;
 import org.junit.Test;
 
 /** A thread whose model loads failed can load the next model. */
 public class EngineThreadTest {
+    private static final LongWork WORK = new LongWork("test");
+
     @Test
     public void resourcesKeptByALoaderAreReplaced() throws Exception {
         for (int i = 0; i < 20; i++) {
-            assertNotNull(EngineThread.call(TempVars::get));
+            assertNotNull(EngineThread.call(TempVars::get, WORK));
         }
         TempVars.get().release();
     }
@@ -26,7 +29,7 @@ public class EngineThreadTest {
         try {
             EngineThread.call(() -> {
                 throw deep;
-            });
+            }, WORK);
         } catch (ExecutionException e) {
             assertSame(deep, e.getCause());
             return;
@@ -37,7 +40,7 @@ public class EngineThreadTest {
     @Test
     public void anInterruptedCallerGetsHisModelAndStaysInterrupted() throws Exception {
         Thread.currentThread().interrupt();
-        assertEquals("model", EngineThread.call(() -> "model"));
+        assertEquals("model", EngineThread.call(() -> "model", WORK));
         assertTrue(Thread.interrupted());
     }
 }

@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.SEAR.files.AtomicFile;
+import org.SEAR.files.LongWork;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectOrigin;
@@ -227,14 +228,12 @@ public final class Projects {
     private void load(Path file, ProjectOrigin origin) throws IOException, ProjectException {
         control.refuseWhileAnyRuns("loadProject");
         Path before = newest();
-        ExampleBundles.with(file, bundle -> {
-            if (!Files.isRegularFile(bundle) && !Files.isDirectory(bundle)) {
-                throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
-                    + String.join(", ", examples()));
-            }
-            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, file),
-                new PercentProgress("loading", file, host::progress));
-        });
+        Runnable reported = LongWork.listen(host::progress);
+        try {
+            ExampleBundles.with(file, bundle -> load(bundle, file));
+        } finally {
+            reported.run();
+        }
         origin.write(folder());
         PortArrivals.anotherProject();
         control.scriptSession().anotherProject();
@@ -253,6 +252,15 @@ public final class Projects {
         }
         boolean own = Files.isRegularFile(file) && !ExampleBundles.isOne(file, file);
         return new ProjectOrigin(own ? file.toString() : file.getFileName().toString(), own);
+    }
+
+    private Project load(Path bundle, Path meant) throws IOException, ProjectException {
+        if (!Files.isRegularFile(bundle) && !Files.isDirectory(bundle)) {
+            throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
+                + String.join(", ", examples()));
+        }
+        return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant),
+            new PercentProgress("loading", meant, host::progress));
     }
 
     /**

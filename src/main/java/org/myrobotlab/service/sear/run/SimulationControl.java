@@ -10,6 +10,7 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.ScriptSession;
+import org.SEAR.files.LongWork;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
@@ -62,7 +63,12 @@ public final class SimulationControl {
                     + ": create some objects first (org.SEAR.POJOs), or loadProject(\"file.sear\")");
             }
             ProjectSwap.claim(project);
-            session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
+            Runnable reported = LongWork.listen(host::progress);
+            try {
+                session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
+            } finally {
+                reported.run();
+            }
             running = this;
             session.known();
             scriptSession.begin(acts, this::isRunning);

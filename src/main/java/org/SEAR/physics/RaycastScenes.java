@@ -104,6 +104,12 @@ public final class RaycastScenes {
         }
     }
 
+    /** Commits after a teleport or a restart, which no sensor sees as movement. */
+    public void settle() {
+        commit();
+        beams.forgetMotion();
+    }
+
     public void commit() {
         beams.commit();
         if (ground != beams) {

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -33,6 +34,7 @@ final class Teleports {
     private final Map<String, Body> things = new HashMap<>();
     private final Map<String, RobotModel> robots = new HashMap<>();
     private final Deque<Move> done = new ArrayDeque<>();
+    private final WallExit exits;
 
     /** A moved object with its start and its pose before the move. */
     private static final class Move {
@@ -47,8 +49,10 @@ final class Teleports {
         }
     }
 
-    Teleports(World world) {
+    /** @param reported receives warnings during the run */
+    Teleports(World world, Consumer<String> reported) {
         this.world = world;
+        exits = new WallExit(world, this::put, reported);
         world.getEnvironment().stream().filter(body -> body != null).forEach(body -> things.put(body.name, body));
         world.getRobots().forEach(robot -> robots.put(robot.getObject().getName(), robot));
     }
@@ -132,8 +136,23 @@ final class Teleports {
         return Math.abs(a.x - b.x) + Math.abs(a.y - b.y) + Math.abs(a.z - b.z) < SAME && cosine > 1 - SAME * SAME;
     }
 
-    /** Moves an object or robot, at rest, and sets its start. */
+    /**
+     * Moves an object or robot, at rest, and sets its start. Objects that are then inside walls leave them. Commits the
+     * scenes.
+     */
     void move(String name, Pose start, Pose to) {
+        put(name, start, to);
+        world.getScenes().settle();
+        exits.search(true);
+        world.getScenes().settle();
+    }
+
+    /** Lets objects leave walls that they are inside, now and then. After a step. */
+    void look() {
+        exits.look();
+    }
+
+    private void put(String name, Pose start, Pose to) {
         if (robots.containsKey(name)) {
             robots.get(name).move(world.getPhysics(), start, to);
         } else {

@@ -63,7 +63,6 @@ final class World implements PhysicsWorld.Touches {
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
-
     /** Measuring threads of this world; helper threads start on demand. */
     private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
     private final KillPlane fallen;
@@ -111,7 +110,7 @@ final class World implements PhysicsWorld.Touches {
         joints = new WorldJoints(project, physics, reported);
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
-        moves = new Teleports(this);
+        moves = new Teleports(this, reported);
         restart(seed);
         joints.check(project, physics, warnings);
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
@@ -251,8 +250,7 @@ final class World implements PhysicsWorld.Touches {
             robot.restart(physics, seed);
             robot.mirror();
         }
-        scenes.commit();
-        scenes.beams.forgetMotion();
+        scenes.settle();
         contacts.clear();
         poses = poses();
     }
@@ -262,8 +260,6 @@ final class World implements PhysicsWorld.Touches {
         moves.move(name, start, to);
         orders.forget(moves.body(name));
         fallen.restart();
-        scenes.commit();
-        scenes.beams.forgetMotion();
         poses = poses();
     }
 
@@ -309,6 +305,7 @@ final class World implements PhysicsWorld.Touches {
         orders.act(reported);
         physics.step();
         fallen.look();
+        moves.look();
         joints.reportBroken();
         boolean moved = false;
         for (int i = 0; i < movable.length; i++) {

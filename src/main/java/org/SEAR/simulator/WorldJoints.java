@@ -98,6 +98,11 @@ public final class WorldJoints {
         }
     }
 
+    /** Whether an unbroken joint holds a body. */
+    boolean holds(Body body) {
+        return all.stream().anyMatch(made -> !made.joint.isBroken() && (made.first == body || made.second == body));
+    }
+
     private static Joint make(org.SEAR.POJOs.Joint object, JointedBody first, JointedBody second) {
         if (object instanceof BallJoint) {
             return new org.SEAR.physics.joint.BallJoint(first, second);

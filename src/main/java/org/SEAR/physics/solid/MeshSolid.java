@@ -32,6 +32,8 @@ class MeshSolid extends Solid {
     private final String name;
     private List<ConvexShape> pieces;
     private boolean integrated;
+    /** 0 until known. */
+    private double thickness;
     private VolumeIntegrals integrals;
 
     /** @param scale along x, y and z */
@@ -154,6 +156,24 @@ class MeshSolid extends Solid {
             }
         }
         return false;
+    }
+
+    @Override
+    public double thickness() {
+        if (thickness == 0) {
+            thickness = Math.min(extent(0), Math.min(extent(1), extent(2)));
+        }
+        return thickness;
+    }
+
+    private double extent(int axis) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int i = axis; i < mesh.vertices.length; i += 3) {
+            low = Math.min(low, mesh.vertices[i] * scale[axis]);
+            high = Math.max(high, mesh.vertices[i] * scale[axis]);
+        }
+        return high - low;
     }
 
     @Override

@@ -107,6 +107,11 @@ public abstract class Solid {
         throw new UnsupportedOperationException("only a mesh has triangles");
     }
 
+    /** Smallest extent along its axes, metres. */
+    public double thickness() {
+        return 2 * Math.min(halfX, Math.min(halfY, halfZ));
+    }
+
     /** Whether a point of its frame is inside its mesh; false without a closed mesh. */
     public boolean encloses(double x, double y, double z) {
         return false;

@@ -18,6 +18,9 @@ final class Overlap {
     private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0},
         {-0.2, 0}, {0, 0.2}, {0, -0.2}};
 
+    /** Least thickness of a closed mesh around a body that is a room, as a multiple of the body's size. */
+    private static final double ROOM = 2;
+
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();
     /** Largest depth of all measurements since it was set to 0, metres. */
@@ -104,13 +107,32 @@ final class Overlap {
 
     /** Whether the body at a pose overlaps another one, or its centre of mass is inside a closed mesh of it. */
     boolean isIn(Pose pose, Overlap other, Pose otherPose) {
+        return overlaps(pose, other, otherPose, 0) || isEnclosed(pose, other, otherPose, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Whether the body at a pose overlaps another one by more than {@code allowed} metres, or is inside a closed mesh
+     * of it that is too thin for a room.
+     */
+    boolean isStuck(Pose pose, Overlap other, Pose otherPose, double allowed) {
+        return overlaps(pose, other, otherPose, allowed) || isEnclosed(pose, other, otherPose, ROOM * size(pose));
+    }
+
+    private double size(Pose pose) {
+        Aabb box = bounds(pose);
+        return Math.max(box.maxX - box.minX, Math.max(box.maxY - box.minY, box.maxZ - box.minZ));
+    }
+
+    /** Whether the centre of mass is inside a closed mesh that is thinner than a limit, metres. */
+    private boolean isEnclosed(Pose pose, Overlap other, Pose otherPose, double limit) {
         double[] centre = body.getCentre();
         double[] at = pose.transform(centre[0], centre[1], centre[2]);
-        boolean inside = overlaps(pose, other, otherPose, 0);
+        boolean inside = false;
         for (int i = 0; i < other.body.solids.size() && !inside; i++) {
             Pose place = otherPose.times(other.body.places[i]);
             double[] own = place.rotateBack(at[0] - place.x, at[1] - place.y, at[2] - place.z);
-            inside = other.body.solids.get(i).encloses(own[0], own[1], own[2]);
+            Solid solid = other.body.solids.get(i);
+            inside = solid.isMesh() && solid.thickness() < limit && solid.encloses(own[0], own[1], own[2]);
         }
         return inside;
     }

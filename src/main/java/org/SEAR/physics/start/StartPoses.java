@@ -75,6 +75,19 @@ public final class StartPoses {
     }
 
     /**
+     * Returns the pose in which a body has left fixed ones at its present pose; its present pose if it is in none.
+     * @param grounds bodies that it leaves upwards only
+     */
+    public static Pose leave(Body body, List<Body> fixed, Collection<Body> grounds) {
+        Pose start = body.getStart();
+        body.setStart(body.getPose());
+        moveOut(body, fixed, grounds);
+        Pose out = body.getStart();
+        body.setStart(start);
+        return out;
+    }
+
+    /**
      * Finds too many overlapping bodies with mass, since each step would test every pair.
      * @return description of the pairs; null if there are not too many
      */
@@ -184,7 +197,7 @@ public final class StartPoses {
         Aabb box = mine.bounds(at);
         return others.stream().filter(other -> !body.ignores(other)
             && box.overlaps(new Overlap(other).bounds(other.getPose()))
-            && mine.overlaps(at, new Overlap(other), other.getPose(), ALLOWED));
+            && mine.isStuck(at, new Overlap(other), other.getPose(), ALLOWED));
     }
 
     private static boolean moveOnce(Body body, List<Body> others, Collection<Body> grounds) {
@@ -195,7 +208,7 @@ public final class StartPoses {
             Overlap other = new Overlap(obstacle);
             Aabb around = other.bounds(obstacle.getPose());
             if (body.ignores(obstacle) || !box.overlaps(around)
-                || !mine.overlaps(body.getStart(), other, obstacle.getPose(), ALLOWED)) {
+                || !mine.isStuck(body.getStart(), other, obstacle.getPose(), ALLOWED)) {
                 continue;
             }
             Pose out = out(mine, obstacle, 0, 1, 0, Double.POSITIVE_INFINITY);

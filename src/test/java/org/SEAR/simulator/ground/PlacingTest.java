@@ -7,9 +7,13 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Sphere;
@@ -90,6 +94,35 @@ public class PlacingTest {
             world.getRobots().get(0).getHardware().setWheelSpeeds(0.5, 0.5);
             run(world, 60 * 12);
             assertEquals("its front touches the wall", 4 - 0.17, world.getPose("rover").z, 0.02);
+        }
+    }
+
+    /** A closed mesh of 4 x 1 x 0.3 m comes down on a ball inside it and on a robot across its surface. */
+    @Test
+    public void bodiesInAClosedMeshLeaveItTheShortestWay() throws Exception {
+        Path assets = project.folder().resolve("assets");
+        Files.createDirectories(assets);
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < 8; i++) {
+            text.append(String.format(Locale.ROOT, "v %d %.1f %.2f%n", i < 4 ? -2 : 2, i % 4 < 2 ? -0.5 : 0.5,
+                i % 2 == 0 ? -0.15 : 0.15));
+        }
+        Files.writeString(assets.resolve("thick.obj"),
+            text + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n");
+        Model thick = new Model("thick", "thick.obj", 0);
+        thick.move(0, 0.5, -6);
+        ball.move(1, 0.1, 0.02);
+        try (Simulation world = start()) {
+            run(world, 60);
+            thick.move(0, 0.5, 0);
+            place(world, "thick");
+            run(world, 60);
+            assertEquals(0.25, world.getPose("ball").z, 0.02);
+            assertTrue("" + world.getPose("rover").z, Math.abs(world.getPose("rover").z) > 0.25);
+            world.move("ball", world.getPose("ball"), Pose.ofDegrees(1, 0.1, -0.12, 0, 0, 0));
+            assertEquals("after its own teleport", -0.25, world.getPose("ball").z, 0.01);
+            String warnings = String.join("\n", world.snapshot().warnings);
+            assertTrue(warnings, warnings.contains("ball was inside a fixed object: SEAR moved it by (0.000, "));
         }
     }
 

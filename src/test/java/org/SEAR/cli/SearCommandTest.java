@@ -7,6 +7,8 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
@@ -44,6 +46,17 @@ public class SearCommandTest {
         out = Files.readString(outFile.toPath());
         err = Files.readString(errFile.toPath());
         return process.exitValue();
+    }
+
+    /** Runs a command that prints through picocli and does not depend on the working folder in this process. */
+    private int here(String... arguments) {
+        StringWriter outText = new StringWriter();
+        StringWriter errText = new StringWriter();
+        int status = SearCommand.commandLine().setOut(new PrintWriter(outText)).setErr(new PrintWriter(errText))
+            .execute(arguments);
+        out = outText.toString();
+        err = errText.toString();
+        return status;
     }
 
     private String script(String code) throws IOException {
@@ -204,7 +217,7 @@ public class SearCommandTest {
 
     @Test
     public void shellsGetTheirCompletion() throws Exception {
-        assertEquals(0, sear("generate-completion"));
+        assertEquals(0, here("generate-completion"));
         assertTrue(out, out.contains("complete -F _complete_sear") && out.contains("--headless"));
     }
 
@@ -223,11 +236,11 @@ public class SearCommandTest {
         assertEquals(2, sear("nix.py"));
         assertTrue(err, err.contains("nix.py can't be read"));
         for (String speed : new String[] {"fast", "0.0001"}) {
-            assertEquals(2, sear(script("pass"), "--speed", speed));
+            assertEquals(2, here("--speed", speed));
             assertTrue(err, err.contains("--speed is \"" + speed + "\", legal: a number of 0.001 or more, or max"));
         }
         for (String threads : new String[] {"0", "257", "-1", "all", "1000000000000"}) {
-            assertEquals(2, sear(script("pass"), "--threads=" + threads));
+            assertEquals(2, here("--threads=" + threads));
             assertTrue(err, err.contains("--threads is \"" + threads + "\", legal: 1 to 256"));
         }
         assertEquals(2, sear(script("pass"), "--port", "99999"));
@@ -250,7 +263,7 @@ public class SearCommandTest {
     /** {@code sear help check} shows help and does not check the project. */
     @Test
     public void helpShowsACommandWithoutRunningIt() throws Exception {
-        assertEquals(0, sear("help", "check"));
+        assertEquals(0, here("help", "check"));
         assertTrue(out, out.startsWith("Usage: sear check"));
     }
 
@@ -349,7 +362,7 @@ public class SearCommandTest {
         for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover",
             "sensors", "truck", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
-            assertEquals(out + err, 0, sear("check", bundle.toString()));
+            assertEquals(out + err, 0, here("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));
             assertEquals("", err);
         }
@@ -385,17 +398,17 @@ public class SearCommandTest {
 
     @Test
     public void aProjectIsPrintedAsItsScript() throws Exception {
-        assertEquals(0, sear("script", Paths.get(System.getProperty("sear.root", ".")).resolve("examples/maze.sear")
+        assertEquals(0, here("script", Paths.get(System.getProperty("sear.root", ".")).resolve("examples/maze.sear")
             .toString()));
         assertTrue(out, out.startsWith("from org.SEAR.POJOs import Box, ")
             && out.contains("addComponent(Distance(\"leftEye\", \"GP2Y0A21\", "));
-        assertEquals(2, sear("script", "nothing.sear"));
+        assertEquals(2, here("script", "nothing.sear"));
         assertTrue(err, err.contains("there is no such file or folder"));
     }
 
     @Test
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
-        assertEquals(0, sear("sensors"));
+        assertEquals(0, here("sensors"));
         for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance",
             "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor",
             "Odometer"}) {
@@ -407,7 +420,7 @@ public class SearCommandTest {
 
     @Test
     public void helpAndVersionAre0() throws Exception {
-        assertEquals(0, sear("--help"));
+        assertEquals(0, here("--help"));
         assertTrue(out, out.contains("--speed=FACTOR|max") && out.contains("sensors") && out.contains("install"));
         assertEquals(0, sear("--version"));
         assertTrue(out, out.startsWith("SEAR "));

@@ -39,8 +39,8 @@ public class LoopClockTest {
     private static final double YARDSTICKS = 1.5;
     private static final int SHEETS = 8;
     private static final float SEE_THROUGH = 0.5f;
-    private static final int PICTURES = 60;
-    private static final int WARM_UP_PICTURES = 40;
+    private static final int PICTURES = 40;
+    private static final int WARM_UP_PICTURES = 20;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     /** Growth of the 99th percentile of a step's time at which measuring ends ... */
     private static final double WANTED = 1.2;

@@ -24,6 +24,8 @@ public final class RaycastScenes {
     public final BeamScene beams = new BeamScene();
     /** Scene of the wheels. */
     public final BeamScene ground;
+    /** Casts of wheels in it. */
+    public final WheelCast wheels;
     /** Ground only, and the number of each solid in it. */
     private final BeamScene heights = new BeamScene();
     private final List<Integer> numbers = new ArrayList<>();
@@ -34,6 +36,7 @@ public final class RaycastScenes {
     /** @param invisible whether an object is invisible to sensors */
     public RaycastScenes(boolean invisible) {
         ground = invisible ? new BeamScene() : beams;
+        wheels = new WheelCast(this);
     }
 
     /**

@@ -11,6 +11,7 @@ import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.solid.Mesh;
 import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.solid.TileTree;
+import org.SEAR.raycast.tree.Bvh;
 
 /**
  * Exact geometry for ray casting: boxes, other convex solids, triangle meshes and elevation, each with a pose in the
@@ -370,8 +371,12 @@ public final class BeamScene {
         return copy;
     }
 
-    /** For tests. */
     Shapes shapes() {
         return shapes;
+    }
+
+    /** Hierarchy over the shapes as of the last commit. */
+    Bvh tree() {
+        return tree.tree();
     }
 }

@@ -39,7 +39,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     /** Speed of the body's middle at the start of the last step, m/s, + forward. */
     private double speed;
     private final List<Body> pushed = new ArrayList<>();
-    private final double[] v = new double[6];
+    private final BodyMotion motion = new BodyMotion();
     private final Vec3 ahead = new Vec3();
     private final Vec3 up = new Vec3();
     private final Vec3 sideways = new Vec3();
@@ -148,17 +148,18 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         if (swivels) {
             aim();
         }
-        body.velocities(v);
-        speed = v[0] * ahead.x + v[1] * ahead.y + v[2] * ahead.z;
+        motion.look(body);
+        speed = motion.speed(ahead);
         double coasting = Math.abs(speed) > MIN_SPEED ? speed : 0;
         boolean carried = false;
         boolean free = body.isFree();
         pushed.clear();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
-            wheel.look(scenes, pose, owner, up, ahead, coasting);
+            wheel.look(scenes, pose, owner, up, ahead, motion, coasting);
             carried |= wheel.isGrounded();
             push(wheel.getGround());
+            push(wheel.getSecondGround());
             push(wheel.getObstacle().body());
             free &= wheel.getObstacle().body() == null;
         }
@@ -207,7 +208,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     /** Rotates the wheels. After the physics step. */
     public void roll() {
         for (int i = 0; i < wheels.size(); i++) {
-            wheels.get(i).roll();
+            wheels.get(i).roll(body.solver());
         }
     }
 

@@ -10,8 +10,8 @@ import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.SolverBody;
 
 /**
- * Wheel that finds the ground with one ray along its suspension, as Bullet's vehicle does. Its position in the body
- * frame is the suspension's mount; its centre hangs below by up to the rest length. Simulation thread.
+ * Wheel that finds the ground as it moves along its suspension. Its position in the body frame is the suspension's
+ * mount; its centre hangs below by up to the rest length. Simulation thread.
  */
 public final class RaycastWheel {
     /** Cosine between driving direction and straight ahead below which a wheel measures no distance ahead. */
@@ -27,6 +27,7 @@ public final class RaycastWheel {
     /** Distance along its driving direction per radian, metres. */
     final double reach;
     private final Swivel swivel;
+    private final WheelShape shape;
     private final GroundContact ground = new GroundContact();
     private final Suspension suspension;
     private final Grip grip;
@@ -34,6 +35,7 @@ public final class RaycastWheel {
     /** Null without a motor. */
     private WheelMotor motor;
     private final Vec3 from = new Vec3();
+    private final Vec3 lead = new Vec3();
     private double reported;
     private double length;
     private double angle;
@@ -64,6 +66,7 @@ public final class RaycastWheel {
         swivel = Swivel.of(wheel);
         aside = wheel.isDriven() ? x * errors.track() : x;
         reach = size * (swivel == null ? radius : radius * swivel.share());
+        shape = new WheelShape(wheel);
         suspension = new Suspension(spring);
         grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()),
             spring.carried);
@@ -109,14 +112,17 @@ public final class RaycastWheel {
      * @param body the robot's pose
      * @param owner number of the robot, whose parts are neither
      * @param up of the body, world frame, likewise {@code ahead}
+     * @param motion of the robot at the start of the step
      * @param coasting speed of the robot without a command, m/s, + forward, 0 at rest
      */
-    void look(RaycastScenes scenes, Pose body, int owner, Vec3 up, Vec3 ahead, double coasting) {
+    void look(RaycastScenes scenes, Pose body, int owner, Vec3 up, Vec3 ahead, BodyMotion motion, double coasting) {
         double rest = suspension.rest();
-        from.transform(body, centreX(), y + radius, centreZ());
-        ground.look(scenes, from, up, 2 * radius, rest, owner);
+        shape.ahead.set(swivel == null ? ahead : swivel.rolling());
+        from.transform(body, centreX(), y, centreZ());
+        double down = motion.predict(from, up, lead);
+        ground.look(scenes, from, lead, up, shape, rest + Math.max(0, down), length, motion.isDeep(), owner);
         if (ground.touches()) {
-            length = Math.max(0, ground.seen());
+            length = Math.max(0, Math.min(rest, ground.seen()));
             grip.setGround(ground.friction(scenes));
         } else {
             length = rest;
@@ -124,7 +130,7 @@ public final class RaycastWheel {
             grip.release();
         }
         from.transform(body, centreX(), y - length, centreZ());
-        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), reported != 0 ? reported : coasting,
+        obstacle.look(scenes, from, shape.ahead, reported != 0 ? reported : coasting,
             radius, owner);
     }
 
@@ -140,6 +146,7 @@ public final class RaycastWheel {
         if (ground.touches()) {
             ground.prepare(body);
             suspension.prepare(ground, body);
+            ground.wedge().prepare(body);
             grip.prepare(ground, swivel == null ? ahead : swivel.driving(), motor != null && motor.holds(), body);
         }
     }
@@ -152,6 +159,7 @@ public final class RaycastWheel {
         obstacle.solve(v);
         if (ground.touches()) {
             suspension.solve(v);
+            ground.wedge().solve(v, suspension.impulse() * ground.lean());
             grip.solve(motor, v, suspension.impulse(), pending);
         }
     }
@@ -176,9 +184,15 @@ public final class RaycastWheel {
         pending = 0;
     }
 
-    /** Rotates the wheel by the distance rolled in a step; a caster follows its path. */
-    void roll() {
+    /**
+     * Rotates the wheel by the distance rolled in a step, and lets it follow the ground; a caster follows its path.
+     * @param body of the robot, after the step; null if it sleeps
+     */
+    void roll(SolverBody body) {
         feel();
+        if (ground.touches() && body != null) {
+            length = Math.max(0, Math.min(suspension.rest(), ground.reached(body)));
+        }
         if (seconds > 0) {
             spin = rolled / seconds / reach;
             angle += rolled / reach;
@@ -199,6 +213,11 @@ public final class RaycastWheel {
     /** Supporting body; null in the air. */
     public Body getGround() {
         return ground.under();
+    }
+
+    /** Body of a second contact, as with a kerb; null for none. */
+    Body getSecondGround() {
+        return ground.wedge().body();
     }
 
     public boolean isGrounded() {

@@ -6,7 +6,8 @@ import org.SEAR.physics.SolverBody;
 
 /**
  * Spring of one wheel as a soft constraint, solved implicitly and stable at any stiffness, and the stop at the end of
- * its travel. Simulation thread.
+ * its travel. Its row lies along the contact normal: a motion by 1 there moves the spring by 1 / cosine, and its force
+ * is that of the spring / cosine. Simulation thread.
  */
 final class Suspension {
     /** Rate of the position correction beyond the stop, 1/s. */
@@ -38,14 +39,16 @@ final class Suspension {
         aim(spring, ground, body, before);
         aim(stop, ground, body, before);
         double share = ground.share();
-        double stiffness = share * of.stiffness;
-        double damping = share * (spring.speed(body.v) < 0 ? of.compressing : of.releasing);
+        double lean = ground.lean();
+        double along = share / (lean * lean);
+        double stiffness = along * of.stiffness;
+        double damping = along * (spring.speed(body.v) < 0 ? of.compressing : of.releasing);
         double soft = damping + seconds * stiffness;
         double gap = ground.gap();
         softness = soft > 0 ? 1 / (seconds * soft) : 0;
-        bias = soft > 0 ? stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
+        bias = soft > 0 ? stiffness * Math.min(of.rest * lean, of.rest * lean - gap) / soft : 0;
         allowed = gap > 0 ? -gap / seconds : -CORRECTION * share * gap;
-        mostImpulse = share * of.mostForce * seconds;
+        mostImpulse = share / lean * of.mostForce * seconds;
         spring.applyImpulse(body.v, spring.impulse);
         stop.applyImpulse(body.v, stop.impulse);
     }

@@ -68,7 +68,7 @@ public class TouchingTest {
 
     @Test
     public void aStepAboveTheAxleIsNotClimbedAndALowOneIs() throws Exception {
-        for (double height : new double[] {0.08, 0.05, 0.02}) {
+        for (double height : new double[] {0.08, 0.05, 0.01}) {
             new Floor("floor", 50, 50);
             box("step", 4, 0.5, height, 0, 0, height / 2, 1);
             Worlds.roomba("roomba", 0, 0, 0);

@@ -144,7 +144,7 @@ public class BlockedRobotTest {
                 deepest = Math.min(deepest, between(robot, obstacle, FINE));
             }
         }
-        assertTrue(what + " entered it by " + -deepest, deepest > -MILLIMETRE / 4);
+        assertTrue(what + " entered it by " + -deepest, deepest > -MILLIMETRE / 3);
         assertEquals(what, 0, between(robot, obstacle, FINEST), MILLIMETRE);
         RobotHardware hardware = simulation.getRobots().get(0).getHardware();
         assertTrue(what, hardware.isBumpedLeft() || hardware.isBumpedRight());

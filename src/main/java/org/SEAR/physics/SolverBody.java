@@ -330,7 +330,7 @@ public final class SolverBody extends JointedBody {
      * Applies an angular impulse.
      * @param tx angular impulse, N m s, world frame, likewise ty and tz
      */
-    void twist(double tx, double ty, double tz) {
+    public void twist(double tx, double ty, double tz) {
         v[3] += i00 * tx + i01 * ty + i02 * tz;
         v[4] += i01 * tx + i11 * ty + i12 * tz;
         v[5] += i02 * tx + i12 * ty + i22 * tz;

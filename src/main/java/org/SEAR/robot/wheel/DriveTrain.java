@@ -11,6 +11,7 @@ import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.robot.servo.ServoDrive;
 
@@ -57,8 +58,9 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         this.body = body;
         this.motors = motors;
         this.owner = owner;
+        double mass = RobotBodies.whole(body).mass;
         for (int i = 0; i < springs.length; i++) {
-            wheels.add(new RaycastWheel(objects.get(i), springs[i], errors, i));
+            wheels.add(new RaycastWheel(objects.get(i), springs[i], errors, i, mass));
         }
         motors.forEach(motor -> motor.restart(wheels));
         for (RaycastWheel wheel : wheels) {
@@ -194,7 +196,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     @Override
     public void prepare(SolverBody solver) {
         for (int i = 0; i < wheels.size(); i++) {
-            wheels.get(i).prepare(solver, ahead);
+            wheels.get(i).prepare(solver, ahead, up);
         }
     }
 

@@ -53,14 +53,18 @@ final class GearedMotor implements WheelMotor {
     }
 
     @Override
-    public void solve(ConstraintRow row, double[] v, double rolling, double grip, double seconds) {
-        double motor = Math.min(grip, force * seconds * strength());
-        double least = -motor;
-        double most = motor;
+    public void solve(ConstraintRow row, double[] v, double rolling, Rim rim, double grip, double seconds) {
+        double motor = force * seconds * strength();
+        double soft = 1 + rim.mass * row.mobility;
+        double taken = rim.mass * (rolling - rim.before() - row.mobility * row.impulse);
+        double back = Math.max(-grip, (-motor - taken) / soft);
+        double forth = Math.min(grip, (motor - taken) / soft);
+        double least = back;
+        double most = forth;
         if (geared) {
             double standing = row.impulse - rolling / row.mobility;
-            least = target < 0 ? -Math.min(grip, Math.max(motor, -standing)) : -grip;
-            most = target > 0 ? Math.min(grip, Math.max(motor, standing)) : grip;
+            least = target < 0 ? -Math.min(grip, Math.max(-back, -standing)) : -grip;
+            most = target > 0 ? Math.min(grip, Math.max(forth, standing)) : grip;
         }
         row.add(v, (target - rolling) / row.mobility, least, most);
     }
@@ -82,8 +86,10 @@ final class GearedMotor implements WheelMotor {
     }
 
     @Override
-    public double slipping(double given) {
-        return target;
+    public double slipping(Rim rim, double impulse, double seconds) {
+        double motor = force * seconds * strength();
+        double free = rim.before() - impulse / rim.mass;
+        return Math.max(free - motor / rim.mass, Math.min(free + motor / rim.mass, target));
     }
 
     @Override

@@ -112,14 +112,15 @@ final class Grip {
 
     /**
      * Solves one pass.
-     * @param motor of the wheel; null for none
+     * @param motor of the wheel; null without inertia and motor
+     * @param rim of the wheel
      * @param v velocities of the centre of mass, changed
      * @param pressed impulse of the ground on the wheel, N s
      */
-    void solve(WheelMotor motor, double[] v, double pressed, double seconds) {
+    void solve(WheelMotor motor, Rim rim, double[] v, double pressed, double seconds) {
         most = friction * pressed;
         if (motor != null) {
-            drive(motor, v, seconds);
+            drive(motor, rim, v, seconds);
         }
         if (across && scrub > 0) {
             side.add(v, -(sliding(v) + scrub * side.impulse) / (side.mobility + scrub), -sideShare * most,
@@ -132,12 +133,12 @@ final class Grip {
         sliding = sliding(v);
     }
 
-    private void drive(WheelMotor motor, double[] v, double seconds) {
+    private void drive(WheelMotor motor, Rim rim, double[] v, double seconds) {
         mostHeld = Math.min(most, motor.holding(seconds));
         if (holds) {
             holding.solve(v, rolling(v), mostHeld);
         } else {
-            motor.solve(forward, v, rolling(v), most, seconds);
+            motor.solve(forward, v, rolling(v), rim, most, seconds);
         }
     }
 

@@ -42,11 +42,11 @@ final class MotorShare implements WheelMotor {
     }
 
     @Override
-    public void solve(ConstraintRow row, double[] v, double rolling, double grip, double seconds) {
+    public void solve(ConstraintRow row, double[] v, double rolling, Rim rim, double grip, double seconds) {
         double stall = motor.stall(reach) * seconds;
         double braking = motor.slope(reach) * seconds;
-        double soft = 1 + braking * row.mobility;
-        double free = -braking * rolling - row.impulse;
+        double soft = 1 + (braking + rim.mass) * row.mobility;
+        double free = -braking * rolling - rim.mass * (rolling - rim.before()) - row.impulse;
         double change;
         if (motor.getOrder() == MotorDrive.Order.POWER) {
             change = (stall * motor.getPower() + free) / soft;
@@ -68,13 +68,14 @@ final class MotorShare implements WheelMotor {
     }
 
     @Override
-    public double slipping(double force) {
-        double stall = motor.stall(reach);
+    public double slipping(Rim rim, double impulse, double seconds) {
+        double stall = motor.stall(reach) * seconds;
+        double soft = rim.mass + motor.slope(reach) * seconds;
+        double free = rim.mass * rim.before() - impulse;
         if (motor.getOrder() == MotorDrive.Order.POWER) {
-            return (stall * motor.getPower() - force) / motor.slope(reach);
+            return (free + stall * motor.getPower()) / soft;
         }
-        return Math.max((-stall - force) / motor.slope(reach),
-            Math.min((stall - force) / motor.slope(reach), target()));
+        return Math.max((free - stall) / soft, Math.min((free + stall) / soft, target()));
     }
 
     @Override

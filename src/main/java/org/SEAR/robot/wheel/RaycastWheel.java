@@ -32,7 +32,7 @@ public final class RaycastWheel {
     private final Suspension suspension;
     private final Grip grip;
     private final Obstacle obstacle = new Obstacle();
-    /** Null without a motor. */
+    /** Null for balls and casters. */
     private WheelMotor motor;
     private final Vec3 from = new Vec3();
     private final Vec3 lead = new Vec3();
@@ -47,14 +47,18 @@ public final class RaycastWheel {
     private final int number;
     /** Ratio of its radius to the nominal one. */
     private final double size;
+    private final Rim rim;
     /** x of its centre with the true track, metres. */
     private final double aside;
     /** Rotation that its encoder has counted, radians, and number of counted steps. */
     private double counted;
     private long steps;
 
-    /** @param number of the wheel on its robot */
-    RaycastWheel(Wheel wheel, Spring spring, WheelErrors errors, int number) {
+    /**
+     * @param number of the wheel on its robot
+     * @param robot mass of the robot, kg
+     */
+    RaycastWheel(Wheel wheel, Spring spring, WheelErrors errors, int number, double robot) {
         object = wheel;
         this.errors = errors;
         this.number = number;
@@ -67,6 +71,8 @@ public final class RaycastWheel {
         aside = wheel.isDriven() ? x * errors.track() : x;
         reach = size * (swivel == null ? radius : radius * swivel.share());
         shape = new WheelShape(wheel);
+        rim = new Rim(wheel, shape, reach, robot);
+        motor = rim.mass > 0 ? new FreeWheel() : null;
         suspension = new Suspension(spring);
         grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()),
             spring.carried);
@@ -83,7 +89,7 @@ public final class RaycastWheel {
 
     /** Motor; null for none. */
     WheelMotor getMotor() {
-        return motor;
+        return motor instanceof FreeWheel ? null : motor;
     }
 
     /**
@@ -137,17 +143,20 @@ public final class RaycastWheel {
     /**
      * Sets up the rows of a substep.
      * @param body takes the impulses of the springs
-     * @param ahead the body's forward axis in the world
+     * @param ahead the body's forward axis in the world, likewise {@code up}
      */
-    void prepare(SolverBody body, Vec3 ahead) {
+    void prepare(SolverBody body, Vec3 ahead, Vec3 up) {
         feel();
         pending = body.seconds();
+        rim.begin(body, up, shape.ahead);
         obstacle.prepare(body);
         if (ground.touches()) {
             ground.prepare(body);
             suspension.prepare(ground, body);
             ground.wedge().prepare(body);
             grip.prepare(ground, swivel == null ? ahead : swivel.driving(), motor != null && motor.holds(), body);
+        } else if (motor != null) {
+            rim.turnFreely(motor.slipping(rim, 0, pending));
         }
     }
 
@@ -160,7 +169,7 @@ public final class RaycastWheel {
         if (ground.touches()) {
             suspension.solve(v);
             ground.wedge().solve(v, suspension.impulse() * ground.lean());
-            grip.solve(motor, v, suspension.impulse(), pending);
+            grip.solve(motor, rim, v, suspension.impulse(), pending);
         }
     }
 
@@ -170,16 +179,20 @@ public final class RaycastWheel {
             return;
         }
         boolean grounded = ground.touches();
-        double speed = grounded && !grip.holds() ? grip.rolling() : 0;
+        boolean held = grounded && grip.holds();
         if (grounded) {
             grip.feel(radius, pending);
         }
         if (motor != null) {
             double impulse = grounded ? grip.driving() : 0;
-            motor.feel(impulse, speed, grounded, pending);
-            speed = grounded && !grip.slips() ? speed : motor.slipping(impulse / pending);
+            if (grounded) {
+                rim.turn(held ? 0 : grip.slips() ? motor.slipping(rim, impulse, pending) : grip.rolling());
+            }
+            motor.feel(impulse + rim.reaction(), grounded && !held ? grip.rolling() : 0, grounded, pending);
+        } else {
+            rim.turn(grounded ? grip.rolling() : 0);
         }
-        rolled += speed * pending;
+        rolled += rim.speed() * pending;
         seconds += pending;
         pending = 0;
     }
@@ -189,6 +202,9 @@ public final class RaycastWheel {
      * @param body of the robot, after the step; null if it sleeps
      */
     void roll(SolverBody body) {
+        if (body == null) {
+            rim.rest();
+        }
         feel();
         if (ground.touches() && body != null) {
             length = Math.max(0, Math.min(suspension.rest(), ground.reached(body)));

@@ -26,14 +26,15 @@ interface WheelMotor {
      * @param row along the driving direction
      * @param v velocities of the centre of mass, changed
      * @param rolling speed of the wheel
+     * @param rim takes a part of the motor's impulse as it speeds up
      * @param grip greatest impulse of the tyre, N s
      * @param seconds length of the substep
      */
-    void solve(ConstraintRow row, double[] v, double rolling, double grip, double seconds);
+    void solve(ConstraintRow row, double[] v, double rolling, Rim rim, double grip, double seconds);
 
     /**
      * Ends a substep.
-     * @param impulse on the ground, N s; 0 in the air
+     * @param impulse of the motor at the rim, N s
      * @param rolled speed of the wheel
      * @param grounded whether the wheel was on the ground
      */
@@ -41,9 +42,10 @@ interface WheelMotor {
 
     /**
      * Returns the rim speed of a wheel that slips or hangs in the air.
-     * @param force on the ground, N
+     * @param impulse on the ground, N s; 0 in the air
+     * @param seconds length of the substep
      */
-    double slipping(double force);
+    double slipping(Rim rim, double impulse, double seconds);
 
     /** Share of its greatest force. */
     double load();

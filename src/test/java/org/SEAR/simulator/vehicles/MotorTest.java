@@ -7,6 +7,8 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
@@ -27,6 +29,9 @@ public class MotorTest {
     private static final double STALL = 0.6;
     private static final double NO_LOAD = 12;
     private static final double SHARE = 0.02;
+    /** Mass of a wheel, kg, and a stall torque that spins two of them up slowly, N m. */
+    private static final double WHEEL = 0.2;
+    private static final double WEAK = 0.02;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -176,5 +181,38 @@ public class MotorTest {
 
     private static void said(String message, org.junit.function.ThrowingRunnable wrong) {
         assertEquals(message, assertThrows(IllegalArgumentException.class, wrong).getMessage());
+    }
+
+    /** In free fall the wheels spin up exponentially, and the robot turns the other way with their angular momentum. */
+    @Test
+    public void wheelsSpinUpInTheAirAndTurnTheirRobotBack() throws Exception {
+        SEARrobot robot = new SEARrobot("robot");
+        robot.addComponent(new Dynamics("drive", MASS));
+        robot.addComponent(new Box("body", 0.16, 0.1, 0.1, MASS));
+        for (double x : new double[] {0.1, -0.1}) {
+            Wheel wheel = new Wheel(x > 0 ? "left" : "right", RADIUS, 0.02, 1, x, 0, 0);
+            wheel.setMass(WHEEL);
+            robot.addWheel(wheel);
+        }
+        Motor motor = new Motor("motor", robot.getWheels().get(0), WEAK, NO_LOAD);
+        motor.addWheel(robot.getWheels().get(1));
+        robot.addComponent(motor);
+        robot.move(0, 100, 0);
+        Simulation simulation = Worlds.start(project);
+        simulation.getMotor("motor").setPower(1);
+        double inertia = WHEEL * RADIUS * RADIUS / 2;
+        double tau = inertia * NO_LOAD / (WEAK / 2);
+        double[] turning = new double[6];
+        for (int half = 1; half < 4; half++) {
+            Worlds.run(simulation, 0.5);
+            double speed = NO_LOAD * (1 - Math.exp(-0.5 * half / tau));
+            assertEquals(speed, simulation.getMotor("motor").getSpeed(), SHARE * NO_LOAD);
+            Worlds.body(simulation, "robot").velocities(turning);
+            double body = MASS * 0.02 / 12;
+            assertEquals("back", -2 * inertia * speed / body, turning[3], SHARE * 2 * inertia * NO_LOAD / body);
+        }
+        long turns = simulation.getMotor("motor").getCounts() / 360;
+        double angle = NO_LOAD * (1.5 - tau * (1 - Math.exp(-1.5 / tau)));
+        assertEquals("the encoder counts", angle / (2 * Math.PI), turns, 1);
     }
 }

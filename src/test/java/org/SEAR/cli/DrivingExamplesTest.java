@@ -75,12 +75,17 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "follow_ball.py", "gps_waypoints.py",
-                "lidar_mapper.py", "line_follower.py",
+            assertEquals(List.of("arduino_rover.py", "balance.py", "car_waypoints.py", "follow_ball.py",
+                "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
                 "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py",
                     "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
+    }
+
+    @Test
+    public void theRobotOnTwoWheelsBalances() throws Exception {
+        assertEquals(2.5, numbers(run("balance.py"), "Balances at z = ([0-9.]+)")[0], 0.05);
     }
 
     @Test

@@ -101,7 +101,8 @@ public class DistributionTest {
                 assertTrue(name, plugin.contains(name));
             }
         }
-        for (String drive : List.of("arduino_rover", "car_waypoints", "follow_ball", "gps_waypoints", "lidar_mapper",
+        for (String drive : List.of("arduino_rover", "balance", "car_waypoints", "follow_ball",
+            "gps_waypoints", "lidar_mapper",
             "line_follower", "maze_solver",
                 "mountain_climber", "obstacle_avoidance", "radar_turret", "wall_follower")) {
             assertTrue(drive, plugin.contains("resource/SEAR/drive/" + drive + ".py"));
@@ -117,7 +118,7 @@ public class DistributionTest {
         Distribution.Result result = sear(script.toString(), "--headless", "--port", "none");
         assertEquals(result.toString(), 0, result.status);
         assertTrue(result.toString(), result.out.contains(
-            "arduino_rover.py, car_waypoints.py, follow_ball.py, gps_waypoints.py, lidar_mapper.py,"
+            "arduino_rover.py, balance.py, car_waypoints.py, follow_ball.py, gps_waypoints.py, lidar_mapper.py,"
             + " line_follower.py, maze_solver.py, mountain_climber.py, obstacle_avoidance.py, radar_turret.py, "
                 + "wall_follower.py"));
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));

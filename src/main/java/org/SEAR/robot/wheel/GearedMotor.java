@@ -89,7 +89,9 @@ final class GearedMotor implements WheelMotor {
     public double slipping(Rim rim, double impulse, double seconds) {
         double motor = force * seconds * strength();
         double free = rim.before() - impulse / rim.mass;
-        return Math.max(free - motor / rim.mass, Math.min(free + motor / rim.mass, target));
+        double driven = Math.max(free - motor / rim.mass, Math.min(free + motor / rim.mass, target));
+        // the ground cannot turn the gears backwards
+        return geared && driven * target <= 0 ? 0 : driven;
     }
 
     @Override

@@ -26,6 +26,7 @@ OBJECTS = (
     "Dynamics",
     "FixedJoint",
     "Floor",
+    "ForceTorque",
     "GPS",
     "GroundHeights",
     "Gyroscope",

@@ -34,7 +34,7 @@ public class ModulesTest {
     private static final String LIBRARIES = "lib";
     private static final int MOST_FILES = 30;
     private static final int MOST_COLUMNS = 150;
-    private static final Pattern IMPORT = Pattern.compile("(?m)^(?:import|export)\\b[^'\\n]*'([^']+)'$");
+    private static final Pattern IMPORT = Pattern.compile("(?m)^(?:import|export)\\b[^'=\\n]*'([^']+)'$");
     private static final Pattern ANY_IMPORT = Pattern.compile("(?m)^import\\b|\\bimport\\(|^export\\b.*\\bfrom\\b");
     private static final Path SERVICE = Paths.get(System.getProperty("sear.root", "."),
         "resources/resource/WebGui/app/service");

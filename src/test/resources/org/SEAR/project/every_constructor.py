@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, GPS, Gyroscope, Hinge, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, ForceTorque, GPS, Gyroscope, Hinge, IMU, LIDAR, \
     Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -185,6 +185,7 @@ servo.setPlay(2)
 servo.setDelay(0.02)
 servo.setRange(-45, 120.5)
 servo.setSpeed(300)
+servo.setSelfLocking(True)
 servo.mount(distance)
 servo.mount(lidar)
 
@@ -283,4 +284,5 @@ for kind in (Hinge, Slider):
     joint.setDamping(0.4)
     joint.setSpring(5, 1)
     joint.setMotor(2, 90)
+add(ForceTorque(name(), joint.getName()))
 Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8)

@@ -117,7 +117,7 @@ public class DeletionTest extends EditedProject {
             }
         }
         assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param",
-            "[Distance.beam]", unknown.toString());
+            "[Distance.beam, ForceTorque.joint]", unknown.toString());
         assertEquals(new TreeSet<>(cases().keySet()), found);
     }
 

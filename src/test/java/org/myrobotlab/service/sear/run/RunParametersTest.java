@@ -97,8 +97,8 @@ public class RunParametersTest {
         String names = ", legal: " + LEGAL + ", and no parameter's name";
         assertEquals("result is called \"seed\"" + names, refused(() -> RunParameters.setResult("seed", 1)));
         assertEquals("result is called \"speed\"" + names, refused(() -> RunParameters.setResult("speed", 1)));
-        assertEquals("result way is [1], legal: a number, a text, True or False",
-            refused(() -> RunParameters.setResult("way", List.of(1))));
+        assertEquals("result way is a list, legal: a number, a text, True or False; give each value a name, such as "
+            + "sear.setResult(\"way_0\", values[0])", refused(() -> RunParameters.setResult("way", List.of(1))));
         assertEquals("result way is null, legal: a number, a text, True or False",
             refused(() -> RunParameters.setResult("way", null)));
     }

@@ -9,8 +9,8 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.TextRule;
 
 /**
- * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb or .blend. It is an obstacle, a part of a
- * robot, or the terrain, whose centre is then the world's origin. It may be invisible to beams.
+ * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb, .stl, .ply, .dae or .blend. It is an
+ * obstacle, a part of a robot, or the terrain, whose centre is then the world's origin. It may be invisible to beams.
  */
 @Described("a model from a file: an obstacle, a part of a robot, or the terrain")
 public class Model extends Shape {
@@ -25,8 +25,8 @@ public class Model extends Shape {
     public static final String MOVABLE = "parts or hull for a model that moves: only fixed models (mass 0, on no robot)"
         + " collide by their exact triangles";
 
-    @Param(doc = "model file below assets: .mesh.xml, .j3o, .obj, .gltf, .glb or .blend", text = TextRule.ASSET,
-        required = true)
+    @Param(doc = "model file below assets: .mesh.xml, .j3o, .obj, .gltf, .glb, .stl, .ply, .dae or .blend",
+        text = TextRule.ASSET, required = true)
     private String path;
     @Param(doc = "whether it is the terrain: fixed, its centre is the world's origin")
     private boolean terrain;

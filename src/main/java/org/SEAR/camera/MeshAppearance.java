@@ -9,6 +9,7 @@ public final class MeshAppearance extends Appearance {
     private final double[] scale;
     private final float[] normals;
     private final float[] places;
+    private final float[] colors;
     private final short[] paintOf;
     private final Paint[] paints;
 
@@ -16,15 +17,17 @@ public final class MeshAppearance extends Appearance {
      * @param scale along x, y and z
      * @param normals x, y and z of each vertex; null for flat triangles
      * @param places texture coordinates u and v of each vertex; null without pictures
+     * @param colors red, green and blue of each vertex, 0 to 1, which multiply the paint; null for none
      * @param paintOf number of each triangle's paint; null for the first
      */
-    public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, short[] paintOf,
-        Paint[] paints, double temperature, boolean casting) {
+    public MeshAppearance(Triangles mesh, double[] scale, float[] normals, float[] places, float[] colors,
+        short[] paintOf, Paint[] paints, double temperature, boolean casting) {
         super(temperature, casting);
         this.mesh = mesh;
         this.scale = scale.clone();
         this.normals = normals;
         this.places = places;
+        this.colors = colors;
         this.paintOf = paintOf;
         this.paints = paints.clone();
     }
@@ -111,6 +114,19 @@ public final class MeshAppearance extends Appearance {
 
     @Override
     protected void color(SurfaceHit s) {
+        paint(s);
+        if (colors != null) {
+            int first = 3 * s.part;
+            double b = share(first, 1, 2, s.x, s.y, s.z);
+            double c = share(first, 2, 1, s.x, s.y, s.z);
+            double a = 1 - b - c;
+            s.red *= mixed(colors, 3, 0, first, a, b, c);
+            s.green *= mixed(colors, 3, 1, first, a, b, c);
+            s.blue *= mixed(colors, 3, 2, first, a, b, c);
+        }
+    }
+
+    private void paint(SurfaceHit s) {
         Paint paint = paints[paintOf == null ? 0 : paintOf[s.part]];
         if (places == null || paint.isPlain()) {
             paint.look(0, 0, 0, 0, 0, 0, s);

@@ -134,7 +134,7 @@ final class AssetCheck {
     private void checkModel(ParsedObject parsed, String path) {
         if (!ModelLoader.isModel(path)) {
             problems.add(parsed.file, parsed.line("path"), "path", path, "a model: "
-                + String.join(", ", ModelLoader.ENDINGS));
+                + String.join(", ", ModelLoader.ENDINGS) + ModelLoader.CONVERT);
         } else if (!assets.has(path)) {
             problems.add(parsed.file, parsed.line("path"), "path", path, "a file below assets, and there is none "
                 + "of that name");

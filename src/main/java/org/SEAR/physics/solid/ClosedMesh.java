@@ -2,6 +2,7 @@
 package org.SEAR.physics.solid;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,8 +13,9 @@ import org.SEAR.geometry.VolumeIntegrals;
 
 /**
  * Volume that a triangle mesh encloses. A mesh is closed if each edge is used as often in one direction as in the
- * other. Vertices at exactly the same place count as one. A part that is inside out, such as a mirrored one, counts as
- * solid unless another part's box surrounds it: then it is a cavity. Overlapping parts count twice where they overlap.
+ * other. Vertices at the same place, up to rounding, count as one. A part that is inside out, such as a mirrored one,
+ * counts as solid unless another part's box surrounds it: then it is a cavity. Overlapping parts count twice where they
+ * overlap.
  */
 final class ClosedMesh {
     private final double[] points;
@@ -47,20 +49,10 @@ final class ClosedMesh {
         this.points = points;
         corners = new int[mesh.indices.length];
         parents = new int[points.length / 3];
-        int[] first = new int[parents.length];
-        Map<List<Double>, Integer> known = new HashMap<>();
-        for (int i = 0; i < parents.length; i++) {
-            parents[i] = i;
-            // adding 0 makes 0 of -0
-            List<Double> place = List.of(points[3 * i] + 0.0, points[3 * i + 1] + 0.0, points[3 * i + 2] + 0.0);
-            first[i] = known.computeIfAbsent(place, at -> known.size());
-        }
-        int[] numbers = new int[known.size()];
-        for (int i = parents.length - 1; i >= 0; i--) {
-            numbers[first[i]] = i;
-        }
+        Arrays.setAll(parents, i -> i);
+        int[] first = NearPoints.first(points);
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = numbers[first[mesh.indices[i]]];
+            corners[i] = first[mesh.indices[i]];
         }
     }
 

@@ -23,11 +23,14 @@ import java.util.NoSuchElementException;
 import java.util.zip.GZIPInputStream;
 import org.SEAR.files.FileLimits;
 import org.SEAR.project.models.format.BlendReader;
+import org.SEAR.project.models.format.ColladaReader;
 import org.SEAR.project.models.format.GltfReader;
 import org.SEAR.project.models.format.J3oReader;
 import org.SEAR.project.models.format.ModelLimits;
 import org.SEAR.project.models.format.ObjReader;
 import org.SEAR.project.models.format.OgreReader;
+import org.SEAR.project.models.format.PlyReader;
+import org.SEAR.project.models.format.StlReader;
 
 /**
  * Guarded versions of jMonkeyEngine's loaders, which trust their files: OGRE XML can read other files through entities,
@@ -65,6 +68,9 @@ final class GuardedLoaders {
         manager.registerLoader(Blend.class, "blend");
         manager.registerLoader(Gltf.class, "gltf");
         manager.registerLoader(Glb.class, "glb");
+        manager.registerLoader(Stl.class, "stl");
+        manager.registerLoader(Ply.class, "ply");
+        manager.registerLoader(Collada.class, "dae");
         PictureLoader.register(manager, pixels);
     }
 
@@ -72,6 +78,28 @@ final class GuardedLoaders {
         @Override
         public Object load(AssetInfo info) throws IOException {
             return new ObjReader(info, bytes(info), text -> ModelAssets.warn(info.getManager(), text)).read();
+        }
+    }
+
+    public static final class Stl implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new StlReader(info, bytes(info), text -> ModelAssets.warn(info.getManager(), text)).read();
+        }
+    }
+
+    public static final class Ply implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new PlyReader(info, bytes(info), text -> ModelAssets.warn(info.getManager(), text)).read();
+        }
+    }
+
+    /** COLLADA files without document type. */
+    public static final class Collada implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new ColladaReader(info, xml(info), text -> ModelAssets.warn(info.getManager(), text)).read();
         }
     }
 

@@ -31,6 +31,8 @@ public final class ModelAppearance {
     public final float[] normals;
     /** Texture coordinates u and v of each vertex. */
     public final float[] places;
+    /** Red, green and blue of each vertex, 0 to 1, which multiply its material; null if no material uses them. */
+    public final float[] colors;
     /** Index of each triangle's material. */
     public final short[] materialOf;
     /** All materials. */
@@ -52,9 +54,11 @@ public final class ModelAppearance {
         }
     }
 
-    private ModelAppearance(float[] normals, float[] places, short[] materialOf, List<Surface> materials) {
+    private ModelAppearance(float[] normals, float[] places, float[] colors, short[] materialOf,
+        List<Surface> materials) {
         this.normals = normals;
         this.places = places;
+        this.colors = colors;
         this.materialOf = materialOf;
         this.materials = List.copyOf(materials);
     }
@@ -65,6 +69,7 @@ public final class ModelAppearance {
         int triangles = solids.stream().mapToInt(solid -> solid.getMesh().getTriangleCount()).sum();
         float[] normals = new float[3 * vertices];
         float[] places = new float[2 * vertices];
+        float[] colors = solids.stream().anyMatch(ModelAppearance::isColored) ? new float[3 * vertices] : null;
         short[] materialOf = new short[triangles];
         List<Surface> materials = new ArrayList<>();
         Map<Material, Short> known = new HashMap<>();
@@ -76,6 +81,10 @@ public final class ModelAppearance {
                 normal(solid, mesh.getBuffer(VertexBuffer.Type.Normal), i, normals, 3 * (vertex + i));
                 place(mesh.getBuffer(VertexBuffer.Type.TexCoord), i, places, 2 * (vertex + i));
             }
+            if (colors != null) {
+                color(isColored(solid) ? mesh.getBuffer(VertexBuffer.Type.Color) : null, mesh.getVertexCount(), colors,
+                    3 * vertex);
+            }
             short material = known.computeIfAbsent(solid.getMaterial(), each -> {
                 materials.add(surface(each));
                 return (short) (materials.size() - 1);
@@ -84,7 +93,19 @@ public final class ModelAppearance {
             vertex += mesh.getVertexCount();
             triangle += mesh.getTriangleCount();
         }
-        return new ModelAppearance(normals, places, materialOf, materials);
+        return new ModelAppearance(normals, places, colors, materialOf, materials);
+    }
+
+    private static boolean isColored(Geometry solid) {
+        return solid.getMaterial() != null && isOn(solid.getMaterial(), "UseVertexColor")
+            && solid.getMesh().getBuffer(VertexBuffer.Type.Color) != null;
+    }
+
+    /** Adds the colours of a mesh's vertices; white without colours. */
+    private static void color(VertexBuffer buffer, int count, float[] colors, int at) {
+        for (int i = 0; i < 3 * count; i++) {
+            colors[at + i] = buffer == null ? 1 : Math.max(0, Math.min(1, number(buffer, i / 3, i % 3)));
+        }
     }
 
     private static void normal(Geometry solid, VertexBuffer buffer, int vertex, float[] normals, int at) {

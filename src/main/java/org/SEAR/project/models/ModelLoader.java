@@ -28,7 +28,11 @@ import org.SEAR.project.models.format.ModelLimits;
  */
 public final class ModelLoader {
     /** Endings of the supported files. */
-    public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".blend");
+    public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".stl",
+        ".ply", ".dae", ".blend");
+    /** Says how to use a file of another format. */
+    public static final String CONVERT = "; convert other formats with Blender or MeshLab, STEP and other CAD files "
+        + "with FreeCAD";
 
     private static final String BLENDER = "a whole file of Blender 2.49 to 2.79: export it as .glb";
 
@@ -119,6 +123,10 @@ public final class ModelLoader {
             models.put(key, known);
         }
         known.leftOut.forEach(text -> warnings.accept("model " + model.getPath() + ": " + text));
+        String scale = ModelScale.warning(model, known.triangles);
+        if (scale != null) {
+            warnings.accept("model " + model.getPath() + ": " + scale);
+        }
         return known.triangles;
     }
 
@@ -152,7 +160,7 @@ public final class ModelLoader {
         String path = Assets.normal(model.getPath());
         if (!isModel(path) || !assets.has(path)) {
             throw new IOException(model + ": path is \"" + model.getPath() + "\", legal: a file below assets that ends "
-                + "with one of " + String.join(", ", ENDINGS));
+                + "with one of " + String.join(", ", ENDINGS) + CONVERT);
         }
         long size = assets.size(path);
         if (size > ModelLimits.MAX_FILE) {

@@ -120,7 +120,7 @@ final class AppearanceBuilder {
             ModelAppearance look = loader.look(model);
             Paint[] paints = look.materials.stream().map(AppearanceBuilder::paint).toArray(Paint[]::new);
             return new MeshAppearance(loader.triangles(model), scale, look.normals, look.places,
-                own ? look.materialOf : null,
+                own ? look.colors : null, own ? look.materialOf : null,
                 own ? paints : new Paint[] {paint(model)}, temperature, !model.isTerrain());
         } catch (IOException e) {
             reported.accept("cameras see a model only in its colour: " + e.getMessage());

@@ -39,7 +39,21 @@ public final class BrokenModels {
         all.ogre();
         all.j3o();
         all.blend();
+        all.parts();
         return all;
+    }
+
+    private void parts() throws IOException {
+        byte[] stl = TRIANGLE.bytes(".stl");
+        put("cut.stl", Arrays.copyOf(stl, stl.length - 1), "the file's size is 133 bytes, legal: 134 bytes for the 1 ");
+        put("nan.stl", StlFormatTest.TEXT.replace("1e0", "NaN"), "a coordinate in line 6 is nan, legal: a number");
+        byte[] ply = TRIANGLE.bytes(".ply");
+        put("cut.ply", Arrays.copyOf(ply, ply.length - 1), "face 1 is missing, legal: all elements that the head ");
+        put("cloud.ply", PlyFormatTest.PAINTED.split("element edge")[0] + "end_header\n0 0 0 1 1 1\n1 0 0 1 1 1\n"
+            + "1 1 0 1 1 1\n2 2 2 1 1 1\n", "the number of triangles is 0: it has no triangles");
+        put("entity.dae", "<!DOCTYPE a [<!ENTITY b SYSTEM 'file:///etc/passwd'>]>" + ColladaFormatTest.PAINTED,
+            "the text is with a document type or not in UTF-8, legal: XML in UTF-8 without a document type");
+        put("index.dae", ColladaFormatTest.PAINTED.replace("6 7 0", "6 8 0"), "an index of <p> in line 1 is 8");
     }
 
     /** Returns broken pictures. */

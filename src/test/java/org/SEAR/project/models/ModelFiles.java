@@ -59,6 +59,12 @@ final class ModelFiles {
                 return glb();
             case ".blend":
                 return blend();
+            case ".stl":
+                return stl();
+            case ".ply":
+                return ply();
+            case ".dae":
+                return dae().getBytes(StandardCharsets.UTF_8);
             default:
                 throw new IllegalArgumentException(ending);
         }
@@ -153,6 +159,60 @@ final class ModelFiles {
             glb.put((byte) ' ');
         }
         return glb.putInt(buffer.length).putInt(0x004e4942).put(buffer).array();
+    }
+
+    private byte[] stl() {
+        ByteBuffer stl = ByteBuffer.allocate(84 + 50 * indices.length / 3).order(ByteOrder.LITTLE_ENDIAN);
+        stl.position(80);
+        stl.putInt(indices.length / 3);
+        for (int i = 0; i < indices.length; i++) {
+            stl.position(84 + i / 3 * 50 + 12 + i % 3 * 12);
+            for (int axis = 0; axis < 3; axis++) {
+                stl.putFloat(moved(3 * indices[i] + axis));
+            }
+        }
+        return stl.array();
+    }
+
+    private byte[] ply() {
+        byte[] head = ("ply\nformat binary_big_endian 1.0\nelement vertex " + corners.length / 3 + "\n"
+            + "property float x\nproperty float y\nproperty float z\nelement face " + indices.length / 3 + "\n"
+            + "property list uchar int vertex_indices\nend_header\n").getBytes(StandardCharsets.UTF_8);
+        ByteBuffer ply = ByteBuffer.allocate(head.length + 4 * corners.length + 13 * indices.length / 3);
+        ply.put(head);
+        for (int i = 0; i < corners.length; i++) {
+            ply.putFloat(moved(i));
+        }
+        for (int i = 0; i < indices.length; i++) {
+            if (i % 3 == 0) {
+                ply.put((byte) 3);
+            }
+            ply.putInt(indices[i]);
+        }
+        return ply.array();
+    }
+
+    /** In centimetres, z up, with a node. */
+    private String dae() {
+        StringBuilder numbers = new StringBuilder();
+        for (int i = 0; i < corners.length; i += 3) {
+            numbers.append(100 * corners[i]).append(' ').append(-100 * corners[i + 2]).append(' ')
+                .append(100 * corners[i + 1]).append(' ');
+        }
+        StringBuilder p = new StringBuilder();
+        for (int index : indices) {
+            p.append(index).append(' ');
+        }
+        return "<COLLADA version='1.4.1'><asset><unit meter='0.01'/><up_axis>Z_UP</up_axis></asset><library_geometries>"
+            + "<geometry id='g'><mesh><source id='s'><float_array id='a' count='" + corners.length + "'>" + numbers
+            + "</float_array><technique_common><accessor source='#a' count='" + corners.length / 3 + "' stride='3'>"
+            + "<param name='X' type='float'/><param name='Y' type='float'/><param name='Z' type='float'/></accessor>"
+            + "</technique_common></source><vertices id='v'><input semantic='POSITION' source='#s'/></vertices>"
+            + "<triangles count='" + indices.length / 3 + "'><input semantic='VERTEX' source='#v' offset='0'/><p>" + p
+            + "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id='w'>"
+            + "<node><translate>" + 100 * place[0] + " " + -100 * place[2] + " " + 100 * place[1]
+            + "</translate><instance_geometry url='#g'/></node></visual_scene></library_visual_scenes>"
+            + "<scene><instance_visual_scene url='#w'/></scene></COLLADA>";
     }
 
     /** In Blender z points up, and -y is SEAR's +z. */

@@ -48,6 +48,9 @@ public final class MutableModels {
             + "<submeshes><submesh material='a' usesharedvertices='true' operationtype='triangle_strip'>"
             + "<faces count='2'><face v1='0' v2='1' v3='2'/><face v1='3'/></faces>"
             + "</submesh></submeshes><skeletonlink name='b'/></mesh>").getBytes(StandardCharsets.UTF_8));
+        all.put("2.stl", StlFormatTest.TEXT.getBytes(StandardCharsets.UTF_8));
+        all.put("2.ply", PlyFormatTest.PAINTED.getBytes(StandardCharsets.UTF_8));
+        all.put("2.dae", ColladaFormatTest.PAINTED.getBytes(StandardCharsets.UTF_8));
         return all;
     }
 

@@ -162,8 +162,8 @@ public class ObjFormatTest {
     @Test
     public void aFaceWhoseEdgesCrossIsAWarning() throws Exception {
         project.with("m.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 3 0\nf 1 2 3 4\n").load("m.obj").hasTriangles(2);
-        assertEquals(Arrays.asList("model m.obj: the edges of 1 faces cross, first in line 5; their surface may be "
-            + "wrong"), project.warnings);
+        assertEquals(Arrays.asList("model m.obj: the edges of 1 faces cross, first those of the face in "
+            + "line 5; their surface may be wrong"), project.warnings);
         StringBuilder pentagram = new StringBuilder();
         for (int i = 0; i < 5; i++) {
             pentagram.append("v " + Math.cos(Math.PI * 0.8 * i) + " " + Math.sin(Math.PI * 0.8 * i) + " 0\n");

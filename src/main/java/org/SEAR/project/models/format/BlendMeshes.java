@@ -19,7 +19,7 @@ import java.util.Map;
  * continues.
  */
 final class BlendMeshes extends MeshHelper {
-    private final PolygonSplitter splitter = new PolygonSplitter();
+    private final PolygonSplitter splitter = new PolygonSplitter("", "");
 
     BlendMeshes(String version, BlenderContext context) {
         super(version, context);

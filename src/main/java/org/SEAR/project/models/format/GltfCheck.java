@@ -106,7 +106,7 @@ final class GltfCheck {
             }
             json.optional(node, what, "mesh", "meshes");
             json.optional(node, what, "skin", "skins");
-            GltfMatrix.of(json, node, what);
+            AffineMatrix.of(json, node, what);
         }
         for (int i = 0; i < nodes.size(); i++) {
             int depth = 0;

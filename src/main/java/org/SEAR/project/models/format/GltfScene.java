@@ -40,7 +40,7 @@ final class GltfScene {
     private final GltfJson json;
     private final GltfAccessors accessors;
     private final int[] parents;
-    private final GltfMatrix[] transforms;
+    private final AffineMatrix[] transforms;
     private final List<Part> parts = new ArrayList<>();
     private long vertices;
     private long triangles;
@@ -51,7 +51,7 @@ final class GltfScene {
         this.json = json;
         this.accessors = accessors;
         this.parents = parents;
-        transforms = new GltfMatrix[parents.length];
+        transforms = new AffineMatrix[parents.length];
     }
 
     /** Returns the parts of the scene that the file names, otherwise of the first. */
@@ -77,9 +77,9 @@ final class GltfScene {
     }
 
     /** Returns the transform of a node to the scene's frame. */
-    private GltfMatrix transform(int number) throws IOException {
+    private AffineMatrix transform(int number) throws IOException {
         if (transforms[number] == null) {
-            GltfMatrix own = GltfMatrix.of(json, json.object(json.list("nodes"), "nodes", number), "nodes[" + number
+            AffineMatrix own = AffineMatrix.of(json, json.object(json.list("nodes"), "nodes", number), "nodes[" + number
                 + "]");
             transforms[number] = parents[number] < 0 ? own : transform(parents[number]).times(own);
         }
@@ -200,20 +200,10 @@ final class GltfScene {
             skin(mesh, attributes, place, joints(skin));
             return;
         }
-        GltfMatrix to = transform(node);
-        for (int i = 0; i < mesh.positions.length; i += 3) {
-            move(mesh, i, to);
-        }
-        if (to.mirrors()) {
-            for (int i = 0; i < mesh.indices.length; i += 3) {
-                int second = mesh.indices[i + 1];
-                mesh.indices[i + 1] = mesh.indices[i + 2];
-                mesh.indices[i + 2] = second;
-            }
-        }
+        mesh.move(transform(node));
     }
 
-    private static void move(SolidMesh mesh, int at, GltfMatrix to) {
+    private static void move(SolidMesh mesh, int at, AffineMatrix to) {
         to.point(mesh.positions, at);
         if (mesh.normals != null) {
             to.normal(mesh.normals, at);
@@ -221,7 +211,7 @@ final class GltfScene {
     }
 
     /** Returns the transform of each joint of a skin, from the mesh's frame to the scene's. */
-    private GltfMatrix[] joints(int number) throws IOException {
+    private AffineMatrix[] joints(int number) throws IOException {
         String what = "skins[" + number + "]";
         JsonObject skin = json.object(json.list("skins"), "skins", number);
         JsonArray nodes = json.list(skin, what, "joints");
@@ -231,16 +221,16 @@ final class GltfScene {
         FileLimits.range(json.file, "the number of " + matrices, bind == null ? nodes.size() : bind.length / 16,
             nodes.size(),
             Integer.MAX_VALUE);
-        GltfMatrix[] joints = new GltfMatrix[nodes.size()];
+        AffineMatrix[] joints = new AffineMatrix[nodes.size()];
         for (int i = 0; i < joints.length; i++) {
-            GltfMatrix joint = transform(nodes.get(i).getAsInt());
+            AffineMatrix joint = transform(nodes.get(i).getAsInt());
             joints[i] = bind == null ? joint
-                : joint.times(GltfMatrix.of(json.file, matrices + "[" + i + "]", bind, 16 * i));
+                : joint.times(AffineMatrix.of(json.file, matrices + "[" + i + "]", bind, 16 * i));
         }
         return joints;
     }
 
-    private void skin(SolidMesh mesh, JsonObject attributes, String place, GltfMatrix[] joints) throws IOException {
+    private void skin(SolidMesh mesh, JsonObject attributes, String place, AffineMatrix[] joints) throws IOException {
         int count = mesh.positions.length / 3;
         int sets = 0;
         while (attributes.has("JOINTS_" + sets)) {
@@ -256,7 +246,7 @@ final class GltfScene {
                 "accessors"),
                 place + ".attributes.WEIGHTS_" + set, count, 4);
         }
-        GltfMatrix[] used = new GltfMatrix[4 * sets];
+        AffineMatrix[] used = new AffineMatrix[4 * sets];
         float[] shares = new float[4 * sets];
         for (int i = 0; i < count; i++) {
             double sum = 0;
@@ -268,7 +258,7 @@ final class GltfScene {
             for (int k = 0; k < shares.length; k++) {
                 shares[k] = sum > 0 ? (float) (shares[k] / sum) : k == 0 ? 1 : 0;
             }
-            move(mesh, 3 * i, GltfMatrix.blend(used, shares));
+            move(mesh, 3 * i, AffineMatrix.blend(used, shares));
         }
     }
 }

@@ -53,18 +53,15 @@ public final class ObjReader {
     private int[] ring = new int[16];
     private int[] ringPlaces = new int[16];
     private int[] ringNormals = new int[16];
-    private final PolygonSplitter splitter = new PolygonSplitter();
+    private final PolygonSplitter splitter;
     /** By the name of their material; empty for white. */
-    private final Map<String, ObjPart> parts = new LinkedHashMap<>();
-    private ObjPart part;
+    private final Map<String, MeshPart> parts = new LinkedHashMap<>();
+    private MeshPart part;
     private String material = "";
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private boolean hasLibrary;
     private final Set<String> unknown = new TreeSet<>();
     private long vertices;
-    private long triangles;
-    private int crossing;
-    private int crossingLine;
     private int strange;
     private String firstStrange;
 
@@ -74,6 +71,7 @@ public final class ObjReader {
         this.name = info.getKey().getName();
         this.bytes = bytes;
         this.warnings = warnings;
+        splitter = new PolygonSplitter(name, "the face in line ");
     }
 
     /** Growing list of numbers in groups. */
@@ -109,7 +107,7 @@ public final class ObjReader {
             }
         }
         Node node = new Node(name);
-        for (Map.Entry<String, ObjPart> each : parts.entrySet()) {
+        for (Map.Entry<String, MeshPart> each : parts.entrySet()) {
             SolidMesh mesh = each.getValue().mesh(positions.values, places.values, normals.values);
             node.attachChild(SolidMesh.geometry(each.getKey(), mesh.mesh(), materialOf(each.getKey())));
         }
@@ -123,10 +121,7 @@ public final class ObjReader {
             warnings.accept("its .mtl has no material " + String.join(", ", first) + (unknown.size() > LISTED ? ", ..."
                 : "") + "; these faces are white");
         }
-        if (crossing > 0) {
-            warnings.accept("the edges of " + crossing + " faces cross, first in line " + crossingLine
-                + "; their surface may be wrong");
-        }
+        splitter.warn(warnings);
         if (strange > 0) {
             warnings.accept(strange + " lines are no statements of an .obj and left out, first line " + firstStrange);
         }
@@ -228,27 +223,11 @@ public final class ObjReader {
         if (corners < 3) {
             return;     // has no surface
         }
-        splitter.set(positions.values, ring, corners);
-        if (!splitter.convex()) {
-            FileLimits.range(name, "the number of corners of the face in line " + line + ", which is not convex,",
-                corners, 3,
-                ModelLimits.MAX_CORNERS);
-        }
-        triangles += corners - 2;
-        FileLimits.range(name, "the number of triangles up to line " + line, triangles, 0, ModelLimits.MAX_TRIANGLES);
-        addTriangles(splitter.split(), splitter.made());
-        if (!splitter.simple() && crossing++ == 0) {
-            crossingLine = line;
-        }
+        addTriangles(splitter.split(positions.values, ring, corners, line), splitter.made());
     }
 
     private void addTriangles(int[] corners, int count) throws IOException {
-        if (splitter.work() > PolygonSplitter.MAX_WORK) {
-            throw FileLimits.wrong(name, "the number of faces up to line " + line
-                + " with many corners that are not convex", "too large",
-                "faces that need " + PolygonSplitter.MAX_WORK + " comparisons to split: export the model as triangles");
-        }
-        part = part == null ? parts.computeIfAbsent(material, key -> new ObjPart()) : part;
+        part = part == null ? parts.computeIfAbsent(material, key -> new MeshPart()) : part;
         FileLimits.range(name, "the number of materials up to line " + line, parts.size(), 0,
             ModelLimits.MAX_NODES - 1);
         for (int i = 0; i < count; i++) {
@@ -319,8 +298,6 @@ public final class ObjReader {
         if (!of.isEmpty() && hasLibrary) {
             unknown.add(PrintableText.line(of));
         }
-        Material white = new Material(info.getManager(), "Common/MatDefs/Light/Lighting.j3md");
-        white.setFloat("Shininess", 64);
-        return white;
+        return SolidMesh.white(info.getManager());
     }
 }

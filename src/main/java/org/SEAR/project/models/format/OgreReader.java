@@ -138,9 +138,7 @@ public final class OgreReader extends DefaultHandler {
         if (name != null && materials != null) {
             unknown.add(name);
         }
-        Material white = new Material(info.getManager(), "Common/MatDefs/Light/Lighting.j3md");
-        white.setFloat("Shininess", 64);
-        return white;
+        return SolidMesh.white(info.getManager());
     }
 
     @Override

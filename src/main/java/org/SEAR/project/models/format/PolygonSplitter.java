@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.project.models.format;
 
+import java.io.IOException;
+import java.util.function.Consumer;
+import org.SEAR.files.FileLimits;
+
 /**
  * Splits polygons into triangles: a convex polygon into a fan from its first corner, any other by ear clipping
  * (Meisters, "Polygons have ears", 1975). Corners are compared in the plane of the polygon's normal (Newell). One file,
@@ -15,6 +19,12 @@ final class PolygonSplitter {
     /** Angle between an edge and the way back, rad, below which the side to which it turns is unknown. */
     private static final double SPIKE = 1e-6;
 
+    private final String file;
+    /** Start of the name of a face in errors, before its number. */
+    private final String kind;
+    private long total;
+    private int crossing;
+    private long firstCrossing;
     private int corners;
     private double[] x = new double[16];
     private double[] y = new double[16];
@@ -31,12 +41,58 @@ final class PolygonSplitter {
     private int made;
 
     /**
-     * Prepares a polygon.
+     * @param file in errors
+     * @param kind start of the name of a face in errors, which its number follows: {@code "the face in line "}
+     */
+    PolygonSplitter(String file, String kind) {
+        this.file = file;
+        this.kind = kind;
+    }
+
+    /**
+     * Splits a polygon. {@link #made} is the number of corners of its triangles.
      *
      * @param positions x, y and z of each vertex of the file
      * @param ring vertices of the polygon's corners
      * @param count number of corners, at least 3
+     * @param number of the face, in errors
+     * @return corners of the triangles, three each, in an array that the next call overwrites
+     * @throws IOException if the polygon or the file's triangles exceed a limit
      */
+    int[] split(float[] positions, int[] ring, int count, long number) throws IOException {
+        set(positions, ring, count);
+        if (!convex) {
+            FileLimits.range(file, "the number of corners of " + kind + number + ", which is not convex,", count, 3,
+                ModelLimits.MAX_CORNERS);
+        }
+        count(count - 2, number);
+        split();
+        if (work > MAX_WORK) {
+            throw FileLimits.wrong(file, "the number of faces up to " + kind + number
+                + " with many corners that are not convex", "too large",
+                "faces that need " + MAX_WORK + " comparisons to split: export the model as triangles");
+        }
+        if (!simple && crossing++ == 0) {
+            firstCrossing = number;
+        }
+        return triangles;
+    }
+
+    /** Counts triangles of a face that needs no split. */
+    void count(long made, long number) throws IOException {
+        total += made;
+        FileLimits.range(file, "the number of triangles up to " + kind + number, total, 0, ModelLimits.MAX_TRIANGLES);
+    }
+
+    /** Warns of faces whose edges cross, as far as the split noticed. */
+    void warn(Consumer<String> warnings) {
+        if (crossing > 0) {
+            warnings.accept("the edges of " + crossing + " faces cross, first those of " + kind + firstCrossing
+                + "; their surface may be wrong");
+        }
+    }
+
+    /** Prepares a polygon, without limits. */
     void set(float[] positions, int[] ring, int count) {
         corners = count;
         if (x.length < count) {
@@ -52,22 +108,6 @@ final class PolygonSplitter {
         dropRepeated();
         convex = isConvex();
         simple = convex || turnsOnce();
-    }
-
-
-    /** Returns whether the polygon is convex. */
-    boolean convex() {
-        return convex;
-    }
-
-    /** Returns whether no two edges of the polygon cross, as far as the split noticed. */
-    boolean simple() {
-        return simple;
-    }
-
-    /** Returns the number of comparisons in all polygons of the file. */
-    long work() {
-        return work;
     }
 
     /** Projects the corners to the polygon's plane, relative to the first one, anticlockwise. */
@@ -181,11 +221,7 @@ final class PolygonSplitter {
         return Math.abs(sum - 2 * Math.PI) < 1;
     }
 
-    /**
-     * Splits the polygon.
-     *
-     * @return corners of the triangles, three each, in an array that the next call overwrites; see {@link #made}
-     */
+    /** Splits the prepared polygon, and returns the corners of its triangles. */
     int[] split() {
         made = 0;
         if (convex) {
@@ -205,7 +241,17 @@ final class PolygonSplitter {
         return triangles;
     }
 
-    /** Returns the number of entries that {@link #split} made. */
+    /** Returns whether the prepared polygon is convex. */
+    boolean convex() {
+        return convex;
+    }
+
+    /** Returns the number of comparisons in all polygons of the file. */
+    long work() {
+        return work;
+    }
+
+    /** Returns the number of corners of the last polygon's triangles. */
     int made() {
         return made;
     }

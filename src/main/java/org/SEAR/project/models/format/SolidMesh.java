@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.project.models.format;
 
+import com.jme3.asset.AssetManager;
 import com.jme3.material.Material;
 import com.jme3.scene.Geometry;
 import com.jme3.scene.Mesh;
@@ -9,6 +10,8 @@ import com.jme3.util.BufferUtils;
 
 /** Vertices and triangles of one material, in the model's frame. */
 final class SolidMesh {
+    private static final float SHININESS = 64;
+
     /** x, y and z of each vertex, m. */
     final float[] positions;
     /** Three vertices of each triangle, anticlockwise when seen from outside. */
@@ -64,6 +67,39 @@ final class SolidMesh {
         if (values != null) {
             mesh.setBuffer(type, components, BufferUtils.createFloatBuffer(values));
         }
+    }
+
+    /** Returns a mesh with numbers of its own. */
+    SolidMesh copy() {
+        SolidMesh copy = new SolidMesh(positions.clone(), indices.clone());
+        copy.normals = normals == null ? null : normals.clone();
+        copy.places = places == null ? null : places.clone();
+        copy.colors = colors == null ? null : colors.clone();
+        return copy;
+    }
+
+    /** Moves the mesh to another frame. */
+    void move(AffineMatrix to) {
+        for (int i = 0; i < positions.length; i += 3) {
+            to.point(positions, i);
+            if (normals != null) {
+                to.normal(normals, i);
+            }
+        }
+        if (to.mirrors()) {
+            for (int i = 0; i < indices.length; i += 3) {
+                int second = indices[i + 1];
+                indices[i + 1] = indices[i + 2];
+                indices[i + 2] = second;
+            }
+        }
+    }
+
+    /** Returns the material of a surface without one. */
+    static Material white(AssetManager manager) {
+        Material white = new Material(manager, "Common/MatDefs/Light/Lighting.j3md");
+        white.setFloat("Shininess", SHININESS);
+        return white;
     }
 
     /** Returns a mesh with its material. */

@@ -4,10 +4,10 @@ package org.SEAR.project.models.format;
 import java.util.Arrays;
 
 /**
- * Triangles of one material of an .obj. Corners with equal position, texture coordinates and normal share a vertex,
- * found by a hash table with open addressing.
+ * Triangles of one material, whose corners refer to lists of the file. Corners with equal position, texture
+ * coordinates and normal share a vertex, found by a hash table with open addressing.
  */
-final class ObjPart {
+final class MeshPart {
     /** Numbers of a vertex: position, texture coordinates, normal; each from 0, -1 for none. */
     private static final int NUMBERS = 3;
 

@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.util.Arrays;
 import org.SEAR.files.FileLimits;
 
-/** Affine transform of glTF in double precision; shear and mirroring included. Immutable. */
-final class GltfMatrix {
-    static final GltfMatrix IDENTITY = new GltfMatrix(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+/** Affine transform of a node in double precision; shear and mirroring included. Immutable. */
+final class AffineMatrix {
+    static final AffineMatrix IDENTITY = new AffineMatrix(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
     /** Largest deviation of the fourth row from 0 0 0 1: rounding of exporters. */
     private static final double ROUNDING = 1e-5;
     private static final String FOURTH_ROW = "a fourth row of 0 0 0 1";
@@ -16,12 +16,26 @@ final class GltfMatrix {
     /** Three rows of four numbers. */
     private final double[] m;
 
-    private GltfMatrix(double[] m) {
+    private AffineMatrix(double[] m) {
         this.m = m;
     }
 
+    /** Returns a transform by its first three rows, four numbers each. */
+    static AffineMatrix ofRows(double... rows) {
+        return new AffineMatrix(Arrays.copyOf(rows, 12));
+    }
+
+    /** Returns a matrix of four rows; null if the last is not 0 0 0 1. */
+    static AffineMatrix ofFourRows(double... rows) {
+        double[] columns = new double[16];
+        for (int i = 0; i < columns.length; i++) {
+            columns[i] = rows[i % 4 * 4 + i / 4];
+        }
+        return isAffine(columns) ? ofColumns(columns, 0) : null;
+    }
+
     /** Returns the transform of a node relative to its parent. */
-    static GltfMatrix of(GltfJson json, JsonObject node, String what) throws IOException {
+    static AffineMatrix of(GltfJson json, JsonObject node, String what) throws IOException {
         double[] matrix = json.numbers(node, what, "matrix", 16);
         double[] move = json.numbers(node, what, "translation", 3);
         double[] turn = json.numbers(node, what, "rotation", 4);
@@ -40,7 +54,7 @@ final class GltfMatrix {
     }
 
     /** Returns a matrix of an accessor, in columns. */
-    static GltfMatrix of(String file, String what, float[] columns, int first) throws IOException {
+    static AffineMatrix of(String file, String what, float[] columns, int first) throws IOException {
         double[] matrix = new double[16];
         for (int i = 0; i < matrix.length; i++) {
             matrix[i] = columns[first + i];
@@ -56,12 +70,12 @@ final class GltfMatrix {
             && Math.abs(columns[15] - 1) <= ROUNDING;
     }
 
-    private static GltfMatrix ofColumns(double[] columns, int first) {
+    private static AffineMatrix ofColumns(double[] columns, int first) {
         double[] m = new double[12];
         for (int i = 0; i < m.length; i++) {
             m[i] = columns[first + i % 4 * 4 + i / 4];
         }
-        return new GltfMatrix(m);
+        return new AffineMatrix(m);
     }
 
     private static double[] unit(String file, String what, double[] q) throws IOException {
@@ -72,7 +86,7 @@ final class GltfMatrix {
         return new double[] {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
     }
 
-    private static GltfMatrix of(double[] move, double[] q, double[] scale) {
+    private static AffineMatrix of(double[] move, double[] q, double[] scale) {
         double[] m = IDENTITY.m.clone();
         if (q != null) {
             double x = q[0];
@@ -90,11 +104,11 @@ final class GltfMatrix {
                 m[i] *= scale[i % 4];
             }
         }
-        return new GltfMatrix(m);
+        return new AffineMatrix(m);
     }
 
     /** Returns this transform after another one. */
-    GltfMatrix times(GltfMatrix first) {
+    AffineMatrix times(AffineMatrix first) {
         double[] product = new double[12];
         for (int row = 0; row < 3; row++) {
             for (int column = 0; column < 4; column++) {
@@ -105,18 +119,18 @@ final class GltfMatrix {
                 product[4 * row + column] = sum;
             }
         }
-        return new GltfMatrix(product);
+        return new AffineMatrix(product);
     }
 
     /** Returns the sum of transforms, each times its weight. */
-    static GltfMatrix blend(GltfMatrix[] of, float[] weights) {
+    static AffineMatrix blend(AffineMatrix[] of, float[] weights) {
         double[] sum = new double[12];
         for (int k = 0; k < weights.length; k++) {
             for (int i = 0; i < sum.length && weights[k] != 0; i++) {
                 sum[i] += weights[k] * of[k].m[i];
             }
         }
-        return new GltfMatrix(sum);
+        return new AffineMatrix(sum);
     }
 
     boolean mirrors() {

@@ -239,7 +239,8 @@ public class Python3PackageTest {
         copy(ROOT.resolve("python"), sources.resolve("python"));
         Files.copy(ROOT.resolve("gradle.properties"), sources.resolve("gradle.properties"));
         Path built = sources.resolve("build/install/sear");
-        for (String file : List.of("plugin/sear.jar", "lib/small.txt", "examples/small.txt", "LICENSES.md")) {
+        for (String file : List.of("plugin/sear.jar", "lib/small.txt", "examples/small.txt", "LICENSES.md",
+            "python/sear/__init__.pyi")) {
             Files.createDirectories(built.resolve(file).getParent());
             Files.writeString(built.resolve(file), file);
         }

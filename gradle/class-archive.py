@@ -1,9 +1,11 @@
-# Loads the classes that scripts use, for class-archive.gradle to archive. Arguments: a project, the port of the tabs.
+# Loads the classes that scripts use, for class-archive.gradle to archive. Arguments: a project, the port of the tabs, the
+# file for the folder and the Java of the archive.
 import json, math, os, random, re, sys, threading, time
+from java.lang import System
 from java.net import URL
 from org.SEAR.POJOs import *
 
-project, port = sys.argv[1:]
+project, port, use = sys.argv[1:]
 
 
 class Counter(object):
@@ -94,3 +96,5 @@ for path in ("", "api/service/sear/getTime", "api/service"):
     except IOError:
         pass    # some answers are errors, whose classes are needed, too
 sear.stopSimulation()
+with open(use, "w") as file:
+    file.write(System.getProperty("sear.home") + " " + System.getProperty("java.home"))

@@ -22,7 +22,7 @@ ROOT = os.path.dirname(HERE)
 BUILT = os.path.join("build", "install", "sear")
 # Omits parts for the command line only, and the class archive, which other Java releases can't read
 TAKEN = ("plugin", "lib", "examples")
-LEFT = ("*.jsa", "__pycache__")
+LEFT = ("*.jsa", "*.jsa.for", "__pycache__")
 LICENCES = "LICENSES.md"
 HINTS = "__init__.pyi"
 # Folders of a checkout that its build does not need

@@ -3,9 +3,14 @@
 import os
 import re
 import shutil
+import time
 import zipfile
+import zlib
 
 PLUGIN = "plugin"
+# Number of archives of classes in the user's cache, and longest time to write one, seconds
+CACHED = 5
+WRITING_SECONDS = 600
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -44,10 +49,45 @@ def jars(home):
             if name.endswith(".jar")]
 
 
-def class_archive(home):
-    """Returns Java's option for the class archive of the build; none without an archive."""
-    file = os.path.join(home, "lib", "sear.jsa")
-    return ["-XX:SharedArchiveFile=" + file] if os.path.exists(file) else []
+def class_archive(home, jvm):
+    """Returns Java's option for an archive of classes: the build's for its own folder and Java, else one in the user's
+    cache, as bin/sear. The second start of an installation writes it at its end, if several run at the same time only
+    one. The cache keeps five.
+
+    jvm is the path of Java's library.
+    """
+    build = os.path.join(home, "lib", "sear.jsa")
+    java = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(jvm))))
+    if os.path.exists(build) and os.path.exists(build + ".for"):
+        with open(build + ".for", encoding="utf-8") as file:
+            if file.read() == home + " " + java:
+                return ["-XX:SharedArchiveFile=" + build]
+    try:
+        return _cached_archive(home, jvm)
+    except OSError:
+        return []
+
+
+def _cached_archive(home, jvm):
+    files = [(path, os.path.getsize(path), int(os.path.getmtime(path))) for path in sorted(jars(home)) + [jvm]]
+    caches = os.path.join(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"), "sear", "classes")
+    mine = os.path.join(caches, "python-%d" % zlib.crc32(repr(files).encode("utf-8")))
+    archive = os.path.join(mine, "sear.jsa")
+    if os.path.exists(archive):
+        with open(archive, "rb") as file:
+            if file.read(4).strip(b"\0"):    # Java writes the first bytes last
+                return ["-XX:SharedArchiveFile=" + archive]
+    lock = os.path.join(mine, "lock")
+    if not os.path.isdir(mine):
+        os.makedirs(mine)
+        return []
+    if os.path.isdir(lock) and time.time() - os.path.getmtime(lock) > WRITING_SECONDS:
+        os.rmdir(lock)
+    os.mkdir(lock)
+    old = sorted((os.path.join(caches, name) for name in os.listdir(caches)), key=os.path.getmtime)
+    for folder in old[:-CACHED]:
+        shutil.rmtree(folder, ignore_errors=True)
+    return ["-XX:ArchiveClassesAtExit=" + archive]
 
 
 def jar(home):

@@ -33,8 +33,9 @@ class InProcess:
         if not jpype.isJVMStarted():
             signals = _signals.Handlers()
             try:
-                jpype.startJVM(*OPTIONS, *_home.class_archive(home), "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(), *options,
-                               classpath=_home.jars(home), convertStrings=True, interrupt=False)
+                archive = _home.class_archive(home, jpype.getDefaultJVMPath())
+                jpype.startJVM(*OPTIONS, *archive, "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(),
+                               *options, classpath=_home.jars(home), convertStrings=True, interrupt=False)
             except jpype.JVMNotFoundException as error:
                 raise FileNotFoundError("SEAR needs Java 11 or newer: install it, for example 'sudo apt-get install default-jre', or set JAVA_HOME "
                                         "(%s)" % error) from None

@@ -2,6 +2,7 @@
 package org.SEAR.cli.install;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.nio.file.Files;
@@ -40,6 +41,7 @@ public class ClassArchiveTest {
         builder.directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(out.toFile());
         builder.environment().put("JAVA_OPTS", "-XX:TieredStopAtLevel=1 -Xlog:class+load:file=" + log);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        builder.environment().put("XDG_CACHE_HOME", folder.getRoot().toPath().resolve("cache").toString());
         Process process = builder.start();
         assertTrue("sear hangs", process.waitFor(240, TimeUnit.SECONDS));
         assertEquals("nothing but one line is printed", 1, Files.readAllLines(out).size());
@@ -76,9 +78,9 @@ public class ClassArchiveTest {
                 .collect(Collectors.toList()));
     }
 
-    /** With a moved folder or a broken archive the program starts without the archive and without a message. */
+    /** A copy gets an archive in the user's cache by its second simulation; a broken one is ignored. */
     @Test
-    public void aMismatchedArchiveIsIgnored() throws Exception {
+    public void aCopyHasAnArchiveInTheCache() throws Exception {
         Path copy = folder.newFolder("sear").toPath();
         for (String part : List.of("bin", "lib", "plugin")) {
             Files.createDirectories(copy.resolve(part));
@@ -88,11 +90,18 @@ public class ClassArchiveTest {
                 }
             }
         }
-        List<String> classes = command(copy);
-        assertTrue(classes.toString(), classes.size() == 1 && !classes.get(0).contains(SHARED));
-        Path archive = copy.resolve("lib/sear.jsa");
-        assertTrue(archive.toFile().setWritable(true));
-        Files.write(archive, new byte[1000]);
-        assertEquals(1, command(copy).size());
+        Path script = folder.newFile("short.py").toPath();
+        Files.writeString(script, "print 'short'    # without sear.startSimulation()\n");
+        for (int i = 0; i < 2; i++) {
+            assertFalse("start " + i, command(copy).get(0).contains(SHARED));
+            classes(copy, script.toString(), "--headless", "--port", "none");
+        }
+        assertTrue(command(copy).get(0).contains(SHARED));
+        try (Stream<Path> files = Files.walk(folder.getRoot().toPath().resolve("cache"))) {
+            Path archive = files.filter(file -> file.endsWith("sear.jsa")).findAny().orElseThrow();
+            assertTrue(archive.toFile().setWritable(true));
+            Files.write(archive, new byte[1000]);
+        }
+        assertFalse(command(copy).get(0).contains(SHARED));
     }
 }

@@ -105,6 +105,13 @@ public class Python3PackageTest {
         assertTrue(classes, classes.contains(" org.myrobotlab.service.SEAR source: shared objects file"));
     }
 
+    /** A copy's second start writes the archive, its next ones read it; the cache keeps five. */
+    @Test
+    public void aCopyHasAClassArchiveInTheCache() throws Exception {
+        assertEquals("archives are bounded\n", run(List.of("python3", ROOT.resolve("src/test/python3/archives.py")
+            .toString()), ROOT.resolve("python/src").toString(), LIBRARIES));
+    }
+
     /** Examples: one measures distances, one draws, and one with a GPS receiver's driver runs by the command. */
     @Test
     public void examplesPrintTheSameInPython2And3() throws Exception {

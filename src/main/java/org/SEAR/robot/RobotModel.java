@@ -60,6 +60,8 @@ public final class RobotModel implements Robot, RobotHardware {
     private DriveTrain train;
     private SEARrobot written;
     private final Frame frame = new Frame();
+    private final StuckCheck stuck;
+    private final Grasp grasp = new Grasp();
     private int unsettled;
     /** Whether {@link #drive} set the steering, not a command of its own. */
     private boolean steersToDrive;
@@ -84,11 +86,12 @@ public final class RobotModel implements Robot, RobotHardware {
         this.scenes = scenes;
         this.truth = truth;
         this.virtualWalls = virtualWalls;
-        this.turrets = new ServoMounts(from, told);
+        this.turrets = new ServoMounts(from, told, grasp::holds);
         this.lights = new LedLights(from);
         this.stability = from.stability;
         this.springs = from.springs;
         this.reported = told;
+        this.stuck = new StuckCheck(object);
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -131,6 +134,7 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         truth.touches().restart();
         lights.restart();
+        stuck.restart();
         steersToDrive = false;
         unsettled = SETTLING;
         truth.restart();
@@ -180,19 +184,35 @@ public final class RobotModel implements Robot, RobotHardware {
             unsettled = train.getWheels().stream().anyMatch(this::hangs) ? unsettled - 1 : 0;
         }
         if (awake) {
+            checkStuck();
             train.roll();
             turrets.follow();
             mirror();
             truth.touches().clear();
+            grasp.clear();
         }
         truth.touches().release();
         for (int i = 0; awake && i < wheelShapes.length; i++) {
             Obstacle obstacle = train.getWheels().get(i).getObstacle();
             if (obstacle.isPressed()) {
+                stuck.touched(obstacle.body(), ahead(obstacle.point.x, obstacle.point.y, obstacle.point.z));
                 truth.touches().press(RobotBodies.whole(body).solids.size() - wheelShapes.length + i, obstacle.point.x,
                     obstacle.point.y, obstacle.point.z);
             }
         }
+    }
+
+    private void checkStuck() {
+        String warning = stuck.step(train.getCommanded(), train.getSpeed(), train.isGrounded());
+        if (warning != null) {
+            reported.accept(warning);
+        }
+    }
+
+    /** Returns how far a point of the world is ahead of the robot's origin, metres. */
+    private double ahead(double x, double y, double z) {
+        Pose pose = body.getPose();
+        return pose.rotateBack(x - pose.x, y - pose.y, z - pose.z)[2];
     }
 
     /** Copies its poses to the scenes. */
@@ -212,11 +232,14 @@ public final class RobotModel implements Robot, RobotHardware {
     /**
      * Notes a contact of one of its bodies.
      * @param index of the touched solid in that body
+     * @param other touching body
      * @param normal of the touching surface; its vertical part decides whether it is an obstacle
      */
-    public void touch(Body of, int index, Vector3f at, Vector3f normal) {
+    public void touch(Body of, int index, Body other, Vector3f at, Vector3f normal) {
         int solid = links.isEmpty() ? index : RobotBodies.whole(body).solids.indexOf(of.solids.get(index));
+        grasp.touched(solid, other);
         if (Math.abs(normal.y) <= LEVEL) {
+            stuck.touched(other, ahead(at.x, at.y, at.z));
             truth.touches().press(solid, at.x, at.y, at.z);
         } else if (!truth.touches().isWheel(solid)) {
             truth.touches().add(solid);

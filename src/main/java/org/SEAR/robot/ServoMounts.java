@@ -3,6 +3,7 @@ package org.SEAR.robot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -32,8 +33,13 @@ final class ServoMounts {
     private final boolean any;
     private List<Pose> poses = List.of();
 
-    /** @param reported takes warnings during the run */
-    ServoMounts(RobotBuilder from, Consumer<String> reported) {
+    /**
+     * Servos of a robot.
+     *
+     * @param reported takes warnings during the run
+     * @param holds whether the robot holds an object
+     */
+    ServoMounts(RobotBuilder from, Consumer<String> reported, BooleanSupplier holds) {
         SEARrobot robot = from.object;
         parts = robot.getComponents();
         body = from.body;
@@ -47,7 +53,7 @@ final class ServoMounts {
             homes[i] = ObjectPose.of(parts.get(i));
             carriers[i] = RobotLink.carrier(parts, i);
             if (parts.get(i) instanceof Servo) {
-                servos[i] = new ServoDrive((Servo) parts.get(i), robot.getName(), reported);
+                servos[i] = new ServoDrive((Servo) parts.get(i), robot.getName(), reported, holds);
                 found = true;
             }
         }

@@ -11,6 +11,7 @@ import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
@@ -45,7 +46,8 @@ public final class StartChecks {
      */
     public static void check(RobotModel robot, RaycastScenes scenes, List<String> warnings) {
         String name = robot.getObject().getName();
-        if (robot.getObject().getWheels().isEmpty()) {
+        boolean moves = robot.getObject().getComponents().stream().anyMatch(part -> part instanceof Servo);
+        if (robot.getObject().getWheels().isEmpty() && !moves) {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");
         }
         checkDimensions(robot, warnings);

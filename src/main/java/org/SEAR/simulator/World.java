@@ -339,16 +339,16 @@ final class World implements PhysicsWorld.Touches {
 
     @Override
     public void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal) {
-        touch(a, solidOfA, at, normal);
-        touch(b, solidOfB, at, normal);
+        touch(a, solidOfA, b, at, normal);
+        touch(b, solidOfB, a, at, normal);
         if (wantsContacts && contacts.size() < MAX_CONTACTS) {
             contacts.add(new double[] {at.x, at.y, at.z});
         }
     }
 
-    private void touch(Body body, int solid, Vector3f at, Vector3f normal) {
+    private void touch(Body body, int solid, Body other, Vector3f at, Vector3f normal) {
         if (body.isRobot()) {
-            robotOf.get(RobotBodies.base(body)).touch(body, solid, at, normal);
+            robotOf.get(RobotBodies.base(body)).touch(body, solid, other, at, normal);
         }
     }
 

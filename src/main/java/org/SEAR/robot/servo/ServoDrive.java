@@ -35,6 +35,7 @@ public final class ServoDrive implements ServoHardware {
     private final Servo object;
     private final String robot;
     private final Consumer<String> reported;
+    private final BooleanSupplier holds;
     private final Pose axis;
     private final DeadTime delay;
     /** Hinge in the physics, and whether something touches its parts; null without shapes. */
@@ -55,11 +56,17 @@ public final class ServoDrive implements ServoHardware {
     private int held;
     private boolean complained;
 
-    /** @param told takes, once per run, a warning about a load that is too heavy */
-    public ServoDrive(Servo object, String robot, Consumer<String> told) {
+    /**
+     * Drive of a servo.
+     *
+     * @param told takes, once per run, a warning about a load that is too heavy
+     * @param holds whether the robot holds an object, which stops a gripper by design
+     */
+    public ServoDrive(Servo object, String robot, Consumer<String> told, BooleanSupplier holds) {
         this.object = object;
         this.robot = robot;
         this.reported = told;
+        this.holds = holds;
         this.axis = ObjectPose.of(object);
         delay = new DeadTime(object.getDelay());
         restart();
@@ -183,7 +190,8 @@ public final class ServoDrive implements ServoHardware {
         angle = engaged != 0 ? horn + engaged * half : Math.max(horn - half, Math.min(horn + half, angle));
         moves = Math.abs(motor.getSpeed()) > MOVES;
         held = motor.isOverloaded() && Math.abs(angle - wanted) > DEAD_BAND ? held + 1 : 0;
-        if (held >= SINKS_FOR && !complained && (held >= HELD_FOR || !touched.getAsBoolean())) {
+        if (held >= SINKS_FOR && !complained && !holds.getAsBoolean()
+            && (held >= HELD_FOR || !touched.getAsBoolean())) {
             complained = true;
             report(Math.abs(motor.getLoad()));
         }
@@ -194,8 +202,8 @@ public final class ServoDrive implements ServoHardware {
         String torque = Parameter.format(object.getStallTorque());
         reported.accept(touched.getAsBoolean()
             ? String.format(Locale.ROOT, "servo %s of robot %s is blocked at %.1f deg, on its way to %.1f deg, by a"
-                + " contact, as a gripper is by its object. If it should move on, give it more than its stallTorque of"
-                + " %s N m (%s.setStallTorque(...))", name, robot, angle, wanted, torque, name)
+                + " contact. If it should move on, give it more than its stallTorque of %s N m"
+                + " (%s.setStallTorque(...))", name, robot, angle, wanted, torque, name)
             : String.format(Locale.ROOT, "servo %s of robot %s is too weak to turn its load to %.1f deg: at %.1f deg"
                 + " the load pulls with %.3g N m, and its stallTorque is %s N m. Give it more (%s.setStallTorque(...)),"
                 + " or mount less, nearer to its axis", name, robot, wanted, angle, load, torque, name));

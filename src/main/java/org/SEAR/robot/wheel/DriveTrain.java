@@ -257,6 +257,33 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         return steering == null ? 0 : steering.getDegrees();
     }
 
+    /** Returns the commanded mean speed, for powered motors their speed without load, m/s, + forward. */
+    public double getCommanded() {
+        if (motors.isEmpty()) {
+            return orders.middle();
+        }
+        double sum = 0;
+        for (int i = 0; i < motors.size(); i++) {
+            sum += motors.get(i).getAlong(orders.middle());
+        }
+        return sum / motors.size();
+    }
+
+    /** Speed of the body's middle at the start of the step, m/s, + forward. */
+    public double getSpeed() {
+        return speed;
+    }
+
+    /** Whether a driven wheel has ground. */
+    public boolean isGrounded() {
+        for (int i = 0; i < wheels.size(); i++) {
+            if (wheels.get(i).isDriven() && wheels.get(i).isGrounded()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     public List<RaycastWheel> getWheels() {
         return wheels;
     }

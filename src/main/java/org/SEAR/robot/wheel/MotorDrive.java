@@ -92,6 +92,15 @@ public final class MotorDrive implements MotorHardware {
         return order;
     }
 
+    /**
+     * Returns the commanded or no-load speed of its wheels, m/s over ground, + forward.
+     * @param robot commanded speed of the robot, which they may follow
+     */
+    double getAlong(double robot) {
+        double wanted = getWanted();
+        return Double.isNaN(wanted) ? robot : wheels.isEmpty() ? 0 : wanted * wheels.get(0).radius;
+    }
+
     /** Commanded share of the voltage, -1 to 1. */
     double getPower() {
         return power;

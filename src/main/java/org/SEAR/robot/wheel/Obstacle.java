@@ -112,7 +112,7 @@ public final class Obstacle {
     }
 
     /** Obstacle; null if there is none. */
-    Body body() {
+    public Body body() {
         return body;
     }
 

@@ -2,7 +2,7 @@
 package org.SEAR.simulator.vehicles;
 
 import static org.junit.Assert.assertEquals;
-import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.assertFalse;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -68,11 +68,7 @@ public class ServoContactTest {
                     assertEquals(size + " m", 2 * closed, angle, 2);
                     assertEquals("the cube lies where it did", 0.25, simulation.getPose("cube").z, 0.005);
                     String told = String.join("\n", messages(simulation));
-                    assertTrue(told, told.matches("(?s).*servo left of robot crane is blocked at -\\d+\\.\\d deg, on "
-                        + "its way to -60\\.0 deg, by a"
-                        + " contact, as a gripper is by its object. If it should move on, give it more than its "
-                        + "stallTorque of "
-                        + (torque < 1 ? "0.18" : "2") + " N m \\(left\\.setStallTorque\\(\\.\\.\\.\\)\\).*"));
+                    assertFalse(told, told.contains("is blocked"));
                     simulation.getServo("shoulder").setAngle(-30);
                     Worlds.run(simulation, 6);
                     Pose cube = simulation.getPose("cube");

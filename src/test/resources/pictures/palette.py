@@ -159,9 +159,12 @@ def draw_Led():
     rod(SILVER, 0.04, 0.8, 0.15, -0.4, 0)
     rod(SILVER, 0.04, 0.65, -0.15, -0.35, 0)
 
-def draw(kind):
+def draw(kind, edit):
     sear.newProject()
-    if 'draw_' + kind in globals():
+    if edit:                                    # a thing of the palette, as its script makes it
+        from json import loads
+        sear.edit(loads(edit))
+    elif 'draw_' + kind in globals():
         globals()['draw_' + kind]()
     else:
         sear.edit({'do': 'robot', 'template': kind})

@@ -79,7 +79,9 @@ final class PalettePictures {
     }
 
     private static BufferedImage take(Browser browser, MyRobotLab robotLab, String kind) throws IOException {
-        robotLab.run("draw('" + kind + "')");
+        Object edit = browser.module("build/things.js", "return module.isThing('" + kind
+            + "') ? JSON.stringify(module.thingEdit('" + kind + "', [0, 0, 0], [], Number)) : ''");
+        robotLab.run("draw('" + kind + "', '" + edit + "')");
         String stamp = robotLab.call("sear", "getPreview", "").get("stamp").asText();
         browser.until(kind, () -> Boolean.TRUE.equals(
             browser.scope(SearTab.ROOT, "world.preview && world.preview.stamp === '" + stamp + "'"

@@ -23,7 +23,8 @@ const WORDS = {
     chassis: 'Chassis',
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture',
     Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
-    ForceTorque: 'Force and torque'
+    ForceTorque: 'Force and torque',
+    ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal'
 }
 // Other search words.
 const ALSO = {
@@ -44,7 +45,9 @@ const ALSO = {
     Picture: 'image poster sign photo',
     Hinge: 'joint revolute door axle', Slider: 'joint prismatic lift rail', BallJoint: 'joint hitch trailer spherical',
     FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
-    ForceTorque: 'joint wrench load cell scale strain'
+    ForceTorque: 'joint wrench load cell scale strain',
+    ball: 'football toy', table: 'desk furniture', ramp: 'slope hill climb', coneAlley: 'slalom pylon lane',
+    goal: 'football gate'
 }
 const ALSO_ROBOTS = 'robot'
 export const PICTURED = Object.keys(WORDS)
@@ -83,8 +86,5 @@ export function ofTemplate(name) {
 }
 /** Returns the entry of a thing of several objects. */
 export function ofThing(name) {
-    const {like, doc, also} = THINGS[name]
-    const word = words(name)
-    return {make: name, group: 'Things', word, style: styleOf(like), sought: [word, name, also].join(' ').toLowerCase(),
-        template: name, doc}
+    return kind(name, 'Things', {template: name, doc: THINGS[name].doc})
 }

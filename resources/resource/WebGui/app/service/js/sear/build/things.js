@@ -38,14 +38,13 @@ function ball() {
     return [{type: 'Sphere', part: '', set: {radius: 0.1, mass: 0.2, color: '#d62728', x: 0, y: 0.1, z: 0}}]
 }
 
-/** The things, with a description, other search words, and the kind whose picture they use. */
+/** The things, with a description. */
 export const THINGS = {
-    ball: {parts: ball, like: 'Sphere', doc: 'a red ball that rolls', also: 'football toy'},
-    table: {parts: table, like: 'Box', doc: 'a fixed table that a small robot can drive under', also: 'desk furniture'},
-    ramp: {parts: ramp, like: 'Box', doc: 'a slope of 15 degrees up to a platform', also: 'slope hill climb'},
-    coneAlley: {parts: coneAlley, like: 'Cone', doc: 'two rows of four cones to drive between',
-        also: 'slalom pylon lane'},
-    goal: {parts: goal, like: 'Box', doc: 'two posts with a bar', also: 'football gate'}
+    ball: {parts: ball, doc: 'a red ball that rolls'},
+    table: {parts: table, doc: 'a fixed table that a small robot can drive under'},
+    ramp: {parts: ramp, doc: 'a slope of 15 degrees up to a platform'},
+    coneAlley: {parts: coneAlley, doc: 'two rows of four cones to drive between'},
+    goal: {parts: goal, doc: 'two posts with a bar'}
 }
 
 /** Whether a name is that of a thing. */

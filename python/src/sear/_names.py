@@ -28,6 +28,7 @@ OBJECTS = (
     "Floor",
     "ForceTorque",
     "GPS",
+    "Gravity",
     "GroundHeights",
     "Gyroscope",
     "Hinge",

@@ -31,6 +31,9 @@ public final class ScriptSession {
          * @throws IllegalArgumentException if the simulation has no movable object of that name
          */
         void setSpin(String name, double x, double y, double z);
+
+        /** @param acceleration of gravity, m/s^2 downwards */
+        void setGravity(double acceleration);
     }
 
     /** A started simulation. */

@@ -118,7 +118,8 @@ public final class LessonRun {
 
         @Override
         public void order(BodyOrder order) {
-            hand(order.name + " was pushed or given a velocity");
+            hand(order.kind == BodyOrder.Kind.GRAVITY ? "gravity was changed"
+                : order.name + " was pushed or given a velocity");
         }
 
         @Override

@@ -62,6 +62,8 @@ final class IslandSolver {
      * gravity adds in a substep, divided by the number of levels: errors add up from level to level.
      */
     private static final double RESIDUAL = 0.01;
+    /** Gravity from which on the residual does not fall with it, m/s^2: without gravity no passes would reach it. */
+    private static final double WEAK = 0.1;
     /** Levels above which the residual falls with the square of their number: a pass carries errors by one level. */
     private static final double HIGH = 8;
     /**
@@ -96,7 +98,7 @@ final class IslandSolver {
     private final StackOrder stackOrder = new StackOrder();
     private final Impacts impacts = new Impacts();
     private final SmoothEdges edges = new SmoothEdges();
-    private final double gravity;
+    private double gravity;
     /** Whether the island is one body without wheels that does not roll: impulses need not spread. */
     private boolean alone;
     /** Extreme inverse masses of touching bodies, 1/kg. */
@@ -125,6 +127,11 @@ final class IslandSolver {
     /** @param gravity m/s^2 downwards */
     IslandSolver(double gravity) {
         this.gravity = gravity;
+    }
+
+    /** @param newGravity m/s^2 downwards, 0 or more */
+    void setGravity(double newGravity) {
+        gravity = newGravity;
     }
 
     /** Passes over contacts and wheels so far. */
@@ -358,7 +365,7 @@ final class IslandSolver {
     /** Solves passes until the contacts have converged or the limit of passes is reached. */
     private void solve(double seconds) {
         double converged = (calm && bodies.size() <= FEW ? RESIDUAL_OF_FEW : RESIDUAL) / Math.max(1, height)
-            * Math.min(1, HIGH / Math.max(1, height)) * gravity * seconds;
+            * Math.min(1, HIGH / Math.max(1, height)) * Math.max(gravity, WEAK) * seconds;
         directions.begin();
         boolean last = false;
         for (int pass = 1; !last; pass++) {

@@ -50,7 +50,7 @@ final class NarrowPhase {
     private final Aabb box = new Aabb();
     private final List<PairContacts> pairs = new ArrayList<>();
     private final double seconds;
-    private final double gain;
+    private double gain;
     private PlacedSolid solid;
     private PlacedSolid mesh;
     private double reach;
@@ -73,6 +73,11 @@ final class NarrowPhase {
      */
     NarrowPhase(double seconds, double gravity) {
         this.seconds = seconds;
+        setGravity(gravity, seconds);
+    }
+
+    /** @param gravity m/s^2 */
+    void setGravity(double gravity, double seconds) {
         gain = gravity * seconds;
     }
 

@@ -17,7 +17,7 @@ import org.SEAR.physics.joint.Mechanism;
  * leave in the order of their numbers. Simulation thread.
  */
 public final class PhysicsWorld {
-    /** Gravity, m/s^2. */
+    /** Default gravity, that of the Earth, m/s^2. */
     public static final double GRAVITY = 9.81;
     /** Extent of a zone beyond a body at rest, metres. */
     private static final double REACH = 0.5;
@@ -66,6 +66,7 @@ public final class PhysicsWorld {
     private NarrowPhase finder;
     private BroadPhase broadPhase;
     private IslandSolver solver;
+    private double gravity = GRAVITY;
     private int sleepers;
     private Aabb[] bounds;
     private Aabb[] zones;
@@ -112,15 +113,33 @@ public final class PhysicsWorld {
         return mechanisms.stream().mapToInt(one -> one.mechanism.getCouplings()).max().orElse(0);
     }
 
+    /**
+     * Changes gravity and wakes all bodies; before {@link #restart} that of the start.
+     * @param newGravity m/s^2 downwards, 0 or more
+     */
+    public void setGravity(double newGravity) {
+        gravity = newGravity;
+        if (solver != null) {
+            finder.setGravity(gravity, TimeStep.SECONDS);
+            solver.setGravity(gravity);
+            movable.forEach(Body::wake);
+        }
+    }
+
+    /** Returns gravity, m/s^2 downwards. */
+    public double getGravity() {
+        return gravity;
+    }
+
     public List<Body> getBodies() {
         return bodies;
     }
 
     /** Restarts the world with all bodies at their start poses. */
     public void restart() {
-        finder = new NarrowPhase(TimeStep.SECONDS, GRAVITY);
+        finder = new NarrowPhase(TimeStep.SECONDS, gravity);
         broadPhase = new BroadPhase(finder);
-        solver = new IslandSolver(GRAVITY);
+        solver = new IslandSolver(gravity);
         drives.clear();
         sleepers = 0;
         int count = bodies.size();
@@ -269,7 +288,7 @@ public final class PhysicsWorld {
         for (int i = 0; i < island.bodies.size(); i++) {
             Body body = island.bodies.get(i);
             body.setTouching(false);
-            body.getSleepTimer().look(body, GRAVITY);
+            body.getSleepTimer().look(body, gravity);
             rests &= body.getSleepTimer().isOver();
             stands |= body.isCarried();
         }

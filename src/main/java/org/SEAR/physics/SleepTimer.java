@@ -21,7 +21,7 @@ final class SleepTimer {
      * ball in this time, 0.15 mm on Earth. Slower creep, below 0.3 mm/s, is rest.
      */
     private static final double OBJECT = 5.0 / 7 * SLOPE * SECONDS * SECONDS / 2;
-    /** The same limit for robots, metres: slow ones drive at millimetres per second. */
+    /** Upper limit of the same for robots, metres: slow ones drive at millimetres per second. */
     private static final double ROBOT = 5e-5;
     /** Largest speed at the end, m/s; a faster body is at a turning point, not at rest. */
     private static final double SPEED = 0.02;
@@ -52,7 +52,7 @@ final class SleepTimer {
      * @param gravity m/s^2
      */
     void look(Body body, double gravity) {
-        double band = body.isRobot() ? ROBOT : OBJECT * gravity;
+        double band = body.isRobot() ? Math.min(ROBOT, OBJECT * gravity) : OBJECT * gravity;
         if (body.isDriven() || hasLeft(body.getSolver(), band, body.getReach())) {
             begin(body.getSolver());
         } else {

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
@@ -82,6 +83,12 @@ public final class Project {
     /** Returns all environment objects but joints, ordered by name. */
     public List<SearObject> getEnvironment() {
         return environment;
+    }
+
+    /** Returns gravity at the start, m/s^2 downwards: that of the project's Gravity, or of the Earth. */
+    public double getGravity() {
+        return environment.stream().filter(Gravity.class::isInstance).map(Gravity.class::cast).findFirst()
+            .map(Gravity::getAcceleration).orElse(Gravity.EARTH);
     }
 
     /**

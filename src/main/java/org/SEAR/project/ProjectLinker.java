@@ -11,6 +11,7 @@ import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.PlacedObject;
@@ -63,6 +64,7 @@ final class ProjectLinker {
         new WiringCheck(owners, problems).check();
         checkPorts();
         checkTerrain();
+        checkGravity();
         checkPlaced();
         checkReferences();
         checkJoints();
@@ -148,6 +150,20 @@ final class ProjectLinker {
             if (terrainElement(parsed.object) != null) {
                 problems.add(parsed.file, parsed.line("terrain"), "terrain", "true",
                     "false for a component of a robot");
+            }
+        }
+    }
+
+    private void checkGravity() {
+        String first = null;
+        for (ParsedObject parsed : environment.values()) {
+            if (parsed.object instanceof Gravity) {
+                if (first != null) {
+                    problems.add(parsed.file, parsed.line("acceleration"), "acceleration",
+                        Parameter.format(((Gravity) parsed.object).getAcceleration()), "one gravity; " + first
+                        + " is it already");
+                }
+                first = parsed.file;
             }
         }
     }

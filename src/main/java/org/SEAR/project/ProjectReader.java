@@ -19,6 +19,7 @@ import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -162,15 +163,16 @@ final class ProjectReader {
     }
 
     /**
-     * Returns the classes that a folder may contain: environment has shapes but wheels, robot all but floors and
-     * terrains, a robot's own folder no robots either.
+     * Returns the classes that a folder may contain: environment has shapes but wheels, joints and gravity; robot all
+     * but joints, gravity, floors and terrains; a robot's own folder no robots either.
      */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class
-                || Joint.class.isAssignableFrom(type);
-            boolean part = type != Floor.class && type != Terrain.class && !Joint.class.isAssignableFrom(type)
+                || Joint.class.isAssignableFrom(type) || type == Gravity.class;
+            boolean part = type != Floor.class && type != Terrain.class && type != Gravity.class
+                && !Joint.class.isAssignableFrom(type)
                 && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);

@@ -77,7 +77,7 @@ public final class RobotBuilder {
         double[] placed = CentreOfMass.place(centroid, weighed(), robot.getWheels());
         MassProperties own = masses.withCentre(placed).withMass(links.isEmpty() ? dynamics.getMass() : masses.mass);
         double[] centre = whole(own).centre();
-        springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest());
+        springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest(), project.getGravity());
         for (Wheel wheel : robot.getWheels()) {
             Solid solid = Solids.of(wheel, project, warnings);
             wheelSolids.add(solid);
@@ -94,7 +94,7 @@ public final class RobotBuilder {
         body = divide(whole, own);
         hasFarWheels = UnitMistakes.report(robot, shapes, warnings);
         stability = new Stability(centre, feet(), Math.hypot(placed[0] - centroid[0], placed[2] - centroid[2])
-            > MIN_MOVE);
+            > MIN_MOVE, project.getGravity());
     }
 
     /**

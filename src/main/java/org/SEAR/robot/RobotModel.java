@@ -129,6 +129,7 @@ public final class RobotModel implements Robot, RobotHardware {
         turrets.attach();
         WheelErrors errors = new WheelErrors(dynamics.getErrors(), seed, object.getName());
         train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number, reported);
+        train.setGravity(physics.getGravity());
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }

@@ -41,6 +41,7 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
     private DoubleSupplier encoders;
+    private DoubleSupplier gravity = () -> PhysicsWorld.GRAVITY;
     private BiConsumer<String, double[]> wrenches;
 
     public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth,
@@ -54,6 +55,11 @@ public final class RobotTruth implements Truth {
         this.earth = earth;
         this.epochMillis = epochMillis;
         this.workers = workers;
+    }
+
+    /** @param ofWorld present gravity, m/s^2 downwards; that of the Earth before this call */
+    public void setGravity(DoubleSupplier ofWorld) {
+        gravity = ofWorld;
     }
 
     /** @param ofJoints copies the force and torque of a joint by its name, see {@link Truth#wrench} */
@@ -179,7 +185,7 @@ public final class RobotTruth implements Truth {
 
     @Override
     public double gravity() {
-        return PhysicsWorld.GRAVITY;
+        return gravity.getAsDouble();
     }
 
     @Override

@@ -6,12 +6,11 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import org.SEAR.physics.PhysicsWorld;
 
 /**
  * Tipping angle of a robot as a rigid body on its wheels' contact points. It tips about an edge of their convex hull on
  * a slope of atan(distance of the centre of mass from the edge / its height above the edge). Soft springs lean, and let
- * it tip slightly earlier. It also tips about this edge when it brakes by more than 9.81 m/s^2 times the tangent of the
+ * it tip slightly earlier. It also tips about this edge when it brakes by more than gravity times the tangent of the
  * angle. Body frame, metres; immutable, any thread.
  */
 public final class Stability {
@@ -32,6 +31,7 @@ public final class Stability {
     private final double[] slope;
     /** Whether the centre of mass was moved to the middle of the wheels. */
     private final boolean balanced;
+    private final double gravity;
     private String way = "";
     /** Distance of the centre of mass from the tipping edge, metres; negative outside. */
     private double room;
@@ -42,10 +42,12 @@ public final class Stability {
      * @param feet contact points of its wheels, {x, y, z} each
      * @param balanced whether the centre of mass was moved to the middle of the wheels, because too few parts have a
      *     mass
+     * @param gravity m/s^2
      */
-    Stability(double[] centre, double[][] feet, boolean balanced) {
+    Stability(double[] centre, double[][] feet, boolean balanced, double gravity) {
         this.centre = centre.clone();
         this.balanced = balanced;
+        this.gravity = gravity;
         double[][] hull = hull(feet);
         support = hull.length < 3 ? new double[0][] : hull;
         slope = slope(centre, feet);
@@ -186,7 +188,7 @@ public final class Stability {
                 + "frame is %.3f m outside its wheels", way, centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0, -room)
             : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with "
                 + "more than %.1f m/s\u00b2", way,
-                Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * PhysicsWorld.GRAVITY);
+                Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * gravity);
         return words + (isCritical() ? ". Put weight lower or further inwards, or its wheels further apart" : "")
             + (balanced ? ". SEAR assumes its weight in the middle of its wheels until two of its "
                 + "shapes have a mass" : "");

@@ -60,7 +60,7 @@ public final class StartChecks {
         Pose pose = robot.getPose();
         double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE,
             robot.getOwner(), new Hit());
-        if (down == Double.POSITIVE_INFINITY) {
+        if (down == Double.POSITIVE_INFINITY && robot.truth().gravity() > 0) {
             warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f "
                 + "and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
@@ -163,8 +163,9 @@ public final class StartChecks {
 
     private static void checkSprings(RobotModel robot, boolean sideways, String way, List<String> warnings) {
         double[] centre = RobotBodies.whole(robot.getBody()).getCentre();
-        double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre,
-            RobotBodies.whole(robot.getBody()).mass, sideways);
+        double weight = RobotBodies.whole(robot.getBody()).mass * robot.truth().gravity();
+        double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre, weight,
+            sideways);
         Double stiffness = robot.getDynamics().getStiffness();
         if (stiffness != null && times > 1) {
             warnings.add(String.format(Locale.ROOT, "robot %s falls over %s at rest: its springs of stiffness %s are "

@@ -49,7 +49,7 @@ public interface Truth {
         return path();
     }
 
-    /** Returns the gravitational acceleration, m/s^2 along the world's -y; default 9.81. */
+    /** Returns the gravitational acceleration, m/s^2 along the world's -y; 9.81 on the Earth. */
     double gravity();
 
     /**

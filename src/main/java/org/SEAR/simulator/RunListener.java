@@ -22,7 +22,7 @@ public interface RunListener extends LineListener {
     default void order(ActuatorOrder order) {
     }
 
-    /** Between two steps: an object or robot received a velocity or a force. */
+    /** Between two steps: an object or robot received a velocity or a force, or gravity changed. */
     default void order(BodyOrder order) {
     }
 

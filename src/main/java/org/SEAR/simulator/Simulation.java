@@ -444,6 +444,11 @@ public final class Simulation implements AutoCloseable {
         return world.getJoints();
     }
 
+    /** Present gravity, m/s^2 downwards. */
+    public double getGravity() {
+        return world.getPhysics().getGravity();
+    }
+
     /** Mass properties of an object or robot in its frame. Throws as {@link World#getMassProperties}. */
     public MassProperties getMassProperties(String name) {
         return world.getMassProperties(name);
@@ -496,7 +501,7 @@ public final class Simulation implements AutoCloseable {
         report(who -> who.order(order));
     }
 
-    /** Sets a body's velocity, or applies a force from the next step on. Throws as {@link World#order}. */
+    /** Sets a body's velocity or gravity, or applies a force from the next step on. Throws as {@link World#order}. */
     public void order(BodyOrder order) {
         world.order(order);
         report(who -> who.order(order));

@@ -49,6 +49,7 @@ final class World implements PhysicsWorld.Touches {
     private static final int MAX_CONTACTS = 256;
 
     private final PhysicsWorld physics = new PhysicsWorld();
+    private final double startGravity;
     private final RaycastScenes scenes;
     private final List<Body> environment = new ArrayList<>();
     /** Environment bodies that are not fixed. */
@@ -79,6 +80,7 @@ final class World implements PhysicsWorld.Touches {
      */
     World(Project project, long seed, long epochMillis, boolean groundVisible, Consumer<String> reported)
         throws ProjectException {
+        startGravity = project.getGravity();
         scenes = new RaycastScenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
         SurfaceColors colors = new SurfaceColors(project.getAssets(), reported);
@@ -142,6 +144,7 @@ final class World implements PhysicsWorld.Touches {
         builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
         builder.addTo(scenes, robots.size());
         RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), earth, epochMillis, workers);
+        truth.setGravity(physics::getGravity);
         RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, reported);
         robots.add(model);
         robotOf.put(model.getBody(), model);
@@ -236,6 +239,7 @@ final class World implements PhysicsWorld.Touches {
      */
     void restart(long seed) {
         robots.forEach(RobotModel::rewind);
+        physics.setGravity(startGravity);
         physics.restart();
         joints.restart();
         orders.restart();
@@ -269,7 +273,16 @@ final class World implements PhysicsWorld.Touches {
      * @throws IllegalArgumentException if no movable body has that name, or the force is too strong for it
      */
     void order(BodyOrder order) {
+        if (order.kind == BodyOrder.Kind.GRAVITY) {
+            setGravity(0 - order.y);
+            return;
+        }
         orders.execute(order, moves.body(order.name));
+    }
+
+    private void setGravity(double gravity) {
+        physics.setGravity(gravity);
+        robots.forEach(robot -> robot.getTrain().setGravity(gravity));
     }
 
     /** See {@link Simulation#hold}. */

@@ -593,6 +593,27 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
+     * Changes the world's gravity between two steps, until {@link #reset}. Changes no file; a {@code Gravity} object
+     * sets that of the start.
+     *
+     * @param acceleration m/s^2 downwards, 0 to 100: 9.81 on the Earth, 1.62 on the Moon, 3.71 on Mars
+     * @throws IllegalArgumentException illegal acceleration
+     * @example sear.setGravity(1.62)
+     */
+    public void setGravity(double acceleration) {
+        calls.act(() -> parts.bodies().gravity(acceleration));
+    }
+
+    /**
+     * Returns present gravity, m/s^2 downwards.
+     *
+     * @example print sear.getGravity()
+     */
+    public double getGravity() {
+        return calls.attempt(() -> parts.bodies().gravity());
+    }
+
+    /**
      * Pulls an object with a spring, like the tab's mouse, with at most five times its weight. It lets go after
      * {@link #letGo} or {@link #reset}, or 1.5 s without another call: real time, in lock-step simulated time.
      *

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.ScriptSession;
 import org.junit.After;
@@ -80,13 +81,15 @@ public class ScriptSessionTest {
         List<String> moved = new ArrayList<>();
         one.begin(acts(moved, "one"), () -> true);
         Box late = new Box("late", 1, 1, 1, 1);
+        Gravity gravity = new Gravity("gravity", "Mars");
         early.setVelocity(1, 0, 0);
         late.setVelocity(2, 0, 0);
         one.end();
         two.begin(acts(moved, "two"), () -> true);
         early.setSpin(0, 3, 0);
+        gravity.setAcceleration(1.62);
         late.setVelocity(4, 0, 0);
-        assertEquals("[one early 1.0, two early 3.0, two late 4.0]", moved.toString());
+        assertEquals("[one early 1.0, two early 3.0, two gravity 1.62, two late 4.0]", moved.toString());
     }
 
     private static ScriptSession.Acts acts(List<String> moved, String who) {
@@ -99,6 +102,11 @@ public class ScriptSessionTest {
             @Override
             public void setSpin(String name, double x, double y, double z) {
                 moved.add(who + " " + name + " " + y);
+            }
+
+            @Override
+            public void setGravity(double acceleration) {
+                moved.add(who + " gravity " + acceleration);
             }
         };
     }

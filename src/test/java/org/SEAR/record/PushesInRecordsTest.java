@@ -95,6 +95,32 @@ public class PushesInRecordsTest {
     }
 
     @Test
+    public void aChangeOfGravityIsRepeatedOnARerun() throws Exception {
+        new Floor("floor", 40, 40);
+        new Box("box", 0.2, 0.2, 0.2, 5, 0, 3, 0);
+        try (Simulation world = Simulation.of(Project.read(project.folder()), 7)) {
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            run(world, 10);
+            world.order(BodyOrder.gravity(1.62));
+            run(world, 10);
+            world.order(BodyOrder.gravity(0));
+            run(world, 60);
+            recorder.end();
+            assertEquals(0, world.getGravity(), 0);
+        }
+        Rerun.Result result = again();
+        assertTrue(result.toString(), result.same && result.whole);
+        List<String> orders = new ArrayList<>();
+        RunRecord.open(file()).read(new RunRecord.Visitor() {
+            @Override
+            public void order(BodyOrder order) {
+                orders.add(order.kind + " " + order.name + " " + order.y);
+            }
+        });
+        assertEquals(List.of("GRAVITY world -1.62", "GRAVITY world 0.0"), orders);
+    }
+
+    @Test
     public void aDragIsRepeatedOnARerun() throws Exception {
         new Floor("floor", 40, 40);
         SEARrobot car = Robots.car("car");

@@ -16,7 +16,7 @@ public class StabilityTest {
         {-0.2, -0.1, -0.3}};
 
     private static Stability at(double x, double y, double z, double[]... feet) {
-        return new Stability(new double[] {x, y, z}, feet, false);
+        return new Stability(new double[] {x, y, z}, feet, false, 9.81);
     }
 
     @Test

@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, ForceTorque, GPS, Gyroscope, Hinge, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, LIDAR, \
     Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -286,3 +286,7 @@ for kind in (Hinge, Slider):
     joint.setMotor(2, 90)
 add(ForceTorque(name(), joint.getName()))
 Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8)
+
+Gravity("gravity", 3.71)
+gravity = Gravity("gravity", "Moon")
+gravity.setAcceleration(0)

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
@@ -25,8 +26,8 @@ import org.SEAR.project.xml.ObjectClasses;
  * thread.
  *
  * <pre>
- * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot", "joint" or "part"), "environment": true,
- *   "robot": true (where it is legal),
+ * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot", "joint", "part" or "world"),
+ *   "environment": true, "robot": true (where it is legal),
  *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text",
  * "group"),
  *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words":
@@ -64,19 +65,23 @@ public final class Grammar {
         if (Joint.class.isAssignableFrom(type)) {
             return "joint";
         }
+        if (type == Gravity.class) {
+            return "world";
+        }
         return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type)
             && type != Wheel.class ? "shape" : "part";
     }
 
     /** Returns whether an object of a class may be part of the environment. */
     static boolean standsInEnvironment(Class<? extends SearObject> type) {
-        return Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type);
+        return Shape.class.isAssignableFrom(type) && type != Wheel.class || Joint.class.isAssignableFrom(type)
+            || type == Gravity.class;
     }
 
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
         return type != Floor.class && type != Terrain.class && type != SEARrobot.class
-            && !Joint.class.isAssignableFrom(type);
+            && !Joint.class.isAssignableFrom(type) && type != Gravity.class;
     }
 
     /** Returns the unit of a parameter; joints with one class for several kinds have that of a hinge first. */

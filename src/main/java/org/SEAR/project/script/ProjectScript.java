@@ -64,7 +64,7 @@ public final class ProjectScript {
 
     private String write() {
         List<SearObject> world = new ArrayList<>(project.getEnvironment());
-        world.sort(Comparator.comparing(object -> !((Shape) object).isGround()));
+        world.sort(Comparator.comparing(object -> !(object instanceof Shape && ((Shape) object).isGround())));
         world.forEach(object -> add(object, ""));
         Map<SEARrobot, String> robots = new LinkedHashMap<>();
         project.getRobots().forEach(robot -> robots.put(robot, addRobot(robot)));

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.ObjectTypes;
@@ -17,13 +18,13 @@ import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 
 /**
- * All classes that may be the root element of an object's file: a robot and its drive, and the classes that shapes
- * ({@code physics.solid.Solids}), sensors and devices of SEAR and of other jars register. Immutable, any thread.
+ * All classes that may be the root element of an object's file: a robot, its drives, gravity, and the classes that
+ * shapes ({@code physics.solid.Solids}), sensors and devices of SEAR and of other jars register. Immutable, any thread.
  */
 public final class ObjectClasses {
-    /** The robot and its drives; all other classes are registered with shapes, sensors and devices. */
+    /** The robot, its drives and gravity; all other classes are registered with shapes, sensors and devices. */
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class,
-        Servo.class, Led.class);
+        Servo.class, Led.class, Gravity.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();
@@ -57,7 +58,7 @@ public final class ObjectClasses {
     }
 
     /**
-     * Returns all classes: shapes, robots and their drives, sensors, devices. Each group is in the order of
+     * Returns all classes: shapes, robots, their drives and gravity, sensors, devices. Each group is in the order of
      * registration.
      */
     public List<Class<? extends SearObject>> all() {

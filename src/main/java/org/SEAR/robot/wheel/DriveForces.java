@@ -9,7 +9,8 @@ import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
- * Limits of a robot's wheels from its mass and dimensions: motor force, grip of skid steering, acceleration. Immutable.
+ * Limits of a robot's wheels from its mass, its dimensions and gravity: motor force, grip of skid steering,
+ * acceleration. Simulation thread.
  */
 final class DriveForces {
     static final double NO_TRACK = 1e-6;
@@ -34,9 +35,12 @@ final class DriveForces {
     final double track;
     /** Lateral damping of each wheel of a skid-steered robot while it turns, N s/m; 0 for others. */
     final double scrubbing;
-    /** Greatest change of speed, and that of an emergency stop, m/s^2. */
-    final double ramp;
-    final double brakeRamp;
+    private final boolean stands;
+    /** Distance of the centre of mass from the tipping edge, and its height above the ground, metres. */
+    private final double room;
+    private final double height;
+    private double ramp;
+    private double brakeRamp;
 
     /** Sets the limits of wheels without a {@link MotorDrive}. */
     DriveForces(Body of, List<RaycastWheel> wheels) {
@@ -58,26 +62,30 @@ final class DriveForces {
                     .setForce((skid ? SKID_FORCE : MOTOR_FORCE) * body.mass / driven.size());
             }
         }
-        double safe = safeRamp(body, wheels);
+        stands = wheels.size() >= 3;
+        double[] mass = body.getCentre();
+        double lowest = wheels.stream().mapToDouble(wheel -> wheel.y - wheel.getRest() - wheel.radius).min().orElse(0);
+        List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
+        room = stands ? CentreOfMass.room(mass[0], mass[2], objects) : 0;
+        height = Math.max(mass[1] - lowest, NO_TRACK);
+        setGravity(PhysicsWorld.GRAVITY);
+    }
+
+    /** @param gravity m/s^2, which limits the acceleration of a tall robot */
+    void setGravity(double gravity) {
+        double safe = stands ? Math.max(MIN_RAMP, TIPPING_SHARE * gravity * room / height) : Double.POSITIVE_INFINITY;
         ramp = Math.min(RAMP, safe);
-        brakeRamp = wheels.size() < 3 ? RAMP : Math.min(BRAKE_RAMP, safe);
+        brakeRamp = stands ? Math.min(BRAKE_RAMP, safe) : RAMP;
+    }
+
+    /** Greatest change of speed at which a tall robot does not fall over, m/s^2. */
+    double getRamp(boolean braking) {
+        return braking ? brakeRamp : ramp;
     }
 
     /** Returns the mean distance of the driven wheels on a side from the middle, metres; 0 without any. */
     private static double mean(List<RaycastWheel> driven, int side) {
         return driven.stream().filter(wheel -> wheel.x * side > 0).mapToDouble(wheel -> wheel.x * side)
             .average().orElse(0);
-    }
-
-    /** Returns the largest acceleration at which a tall robot does not fall over, m/s^2. */
-    private static double safeRamp(Body body, List<RaycastWheel> wheels) {
-        if (wheels.size() < 3) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double[] mass = body.getCentre();
-        double lowest = wheels.stream().mapToDouble(wheel -> wheel.y - wheel.getRest() - wheel.radius).min().orElse(0);
-        List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
-        double room = CentreOfMass.room(mass[0], mass[2], objects);
-        return Math.max(MIN_RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
     }
 }

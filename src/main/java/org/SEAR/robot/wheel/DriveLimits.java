@@ -23,6 +23,7 @@ final class DriveLimits {
     private boolean reportedTight;
     private boolean reportedSliding;
     private boolean braking;
+    private double gravity = PhysicsWorld.GRAVITY;
     private double left;
     private double right;
     private double commandedLeft;
@@ -45,6 +46,12 @@ final class DriveLimits {
         commandedRight = share * newRight;
         reportSliding((commandedLeft + commandedRight) / 2, turn(commandedLeft, commandedRight));
         braking = braking && newLeft == 0 && newRight == 0;
+    }
+
+    /** @param newGravity m/s^2, of which the grip depends */
+    void setGravity(double newGravity) {
+        gravity = newGravity;
+        forces.setGravity(newGravity);
     }
 
     /** Starts an emergency stop, until the next command that moves. */
@@ -99,7 +106,7 @@ final class DriveLimits {
      */
     void reportSliding(double speed, double turn) {
         double needed = Math.abs(speed * turn);
-        double held = PhysicsWorld.GRAVITY * wheels.stream().filter(RaycastWheel::isGrounded)
+        double held = gravity * wheels.stream().filter(RaycastWheel::isGrounded)
             .mapToDouble(wheel -> wheel.getGrip().getFriction())
             .max().orElse(Double.POSITIVE_INFINITY);
         if (needed > held && !reportedSliding) {
@@ -130,7 +137,7 @@ final class DriveLimits {
     /** Moves both speeds towards the commanded ones, in proportion, which keeps the arc. */
     void approach() {
         double largest = Math.max(Math.abs(commandedLeft - left), Math.abs(commandedRight - right));
-        double step = (braking ? forces.brakeRamp : forces.ramp) * TimeStep.SECONDS;
+        double step = forces.getRamp(braking) * TimeStep.SECONDS;
         double share = largest <= step ? 1 : step / largest;
         left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
         right = share == 1 ? commandedRight : right + share * (commandedRight - right);

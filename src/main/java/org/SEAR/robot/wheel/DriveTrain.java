@@ -86,6 +86,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         motors.forEach(MotorDrive::follow);
     }
 
+    /** @param gravity m/s^2, which limits acceleration and grip */
+    public void setGravity(double gravity) {
+        orders.setGravity(gravity);
+    }
+
     /** Starts an emergency stop, until the next command that moves. */
     public void brake() {
         orders.brake();

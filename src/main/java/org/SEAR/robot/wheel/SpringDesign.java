@@ -4,12 +4,11 @@ package org.SEAR.robot.wheel;
 import java.util.List;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.physics.PhysicsWorld;
 
 /**
- * Springs of a robot's wheels. Without a stiffness in its {@link Dynamics}, all springs deflect equally little under
- * their wheels' loads. They then have one natural frequency, the robot stands level, and the wheels hang low enough to
- * lift the body off the ground.
+ * Springs of a robot's wheels, designed for the world's gravity at the start. Without a stiffness in its
+ * {@link Dynamics}, all springs deflect equally little under their wheels' loads. They then have one natural frequency,
+ * the robot stands level, and the wheels hang low enough to lift the body off the ground.
  */
 public final class SpringDesign {
     /** Deflection of springs under the robot, as a share of its smallest wheel's radius, and its limit, metres. */
@@ -25,31 +24,39 @@ public final class SpringDesign {
      * Smallest ratio of a chosen spring's greatest force to the wheel's load; heavy robots would otherwise lose grip.
      */
     private static final double MIN_FORCE = 10;
+    /** Least gravity that springs are designed for, m/s^2: the Moon's. In a weaker one they hang lower. */
+    private static final double MIN_GRAVITY = 1.62;
 
     private final Dynamics dynamics;
     private final List<Wheel> wheels;
     private final double[] centre;
+    /** Gravity of the world, and the one that the springs are designed for, m/s^2. */
+    private final double gravity;
+    private final double designed;
 
-    private SpringDesign(Dynamics dynamics, List<Wheel> wheels, double[] centre) {
+    private SpringDesign(Dynamics dynamics, List<Wheel> wheels, double[] centre, double gravity) {
         this.dynamics = dynamics;
         this.wheels = wheels;
         this.centre = centre;
+        this.gravity = gravity;
+        designed = Math.max(gravity, MIN_GRAVITY);
     }
 
     /**
      * Returns the springs of a robot, in the order of its wheels.
      * @param centre of mass in the body frame, {x, y, z}, metres
      * @param lowest y of the body's lowest point, metres
+     * @param gravity of the world at the start, m/s^2
      */
-    public static Spring[] of(Dynamics dynamics, List<Wheel> wheels, double[] centre, double lowest) {
-        SpringDesign design = new SpringDesign(dynamics, wheels, centre);
+    public static Spring[] of(Dynamics dynamics, List<Wheel> wheels, double[] centre, double lowest, double gravity) {
+        SpringDesign design = new SpringDesign(dynamics, wheels, centre, gravity);
         return dynamics.getStiffness() == null ? design.chosen(lowest) : design.given(dynamics.getStiffness());
     }
 
     /** Uses Bullet's convention: the stiffness of each spring is the value times the mass of the whole robot. */
     private Spring[] given(double stiffness) {
         double rest = dynamics.getRestLength() == null ? LENGTH : dynamics.getRestLength();
-        double sag = stiffness == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels.size() * stiffness);
+        double sag = stiffness == 0 ? 0 : gravity / (wheels.size() * stiffness);
         Spring[] springs = new Spring[wheels.size()];
         for (int i = 0; i < springs.length; i++) {
             springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(),
@@ -80,9 +87,10 @@ public final class SpringDesign {
                 rest = dynamics.getRestLength();
                 hangs = Math.max(0, rest - sag);
             }
-            double square = PhysicsWorld.GRAVITY / sag;
-            double force = Math.max(dynamics.getMaxSuspensionForce(), MIN_FORCE * PhysicsWorld.GRAVITY * loads[i]);
-            springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), force, rest, hangs);
+            double square = designed / sag;
+            double force = Math.max(dynamics.getMaxSuspensionForce(), MIN_FORCE * designed * loads[i]);
+            springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), force, rest,
+                hangs + sag * (1 - gravity / designed));
         }
         return springs;
     }
@@ -93,10 +101,11 @@ public final class SpringDesign {
 
     /**
      * Returns the factor by which springs are too soft to hold a robot upright: tipping moment over righting moment.
+     * @param weight of the robot, N
      * @param alongX tests falling sideways, otherwise forwards or backwards
      * @return at most 1 if they hold; 0 if the wheels don't span an area, so that it rests on its body
      */
-    public static double tooSoft(Spring[] springs, List<Wheel> wheels, double[] centre, double mass, boolean alongX) {
+    public static double tooSoft(Spring[] springs, List<Wheel> wheels, double[] centre, double weight, boolean alongX) {
         if (CentreOfMass.room(centre[0], centre[2], wheels) <= 0) {
             return 0;
         }
@@ -108,7 +117,7 @@ public final class SpringDesign {
             upright += springs[i].stiffness * lever * lever;
             ground = Math.min(ground, wheels.get(i).getY() - springs[i].hangs - radius(wheels.get(i)));
         }
-        return upright == 0 ? 0 : mass * PhysicsWorld.GRAVITY * (centre[1] - ground) / upright;
+        return upright == 0 ? 0 : weight * (centre[1] - ground) / upright;
     }
 
     /** Returns the greatest deflection at which springs hold the robot upright, metres. */

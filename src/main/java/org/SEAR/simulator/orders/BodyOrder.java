@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.simulator.orders;
 
+import org.SEAR.POJOs.Gravity;
+
 /**
- * A velocity or force that a script or page gives to an object or robot by {@code Simulation.order}. Records store it.
+ * A velocity or force that a script or page gives to an object or robot by {@code Simulation.order}, or a change of the
+ * world's gravity. Records store it.
  * Immutable, any thread.
  */
 public final class BodyOrder {
@@ -15,6 +18,9 @@ public final class BodyOrder {
     /** Largest angular velocity about an axis, degrees per second. */
     public static final double TURNING = 100_000;
 
+    /** Name of the world in a change of gravity. */
+    public static final String WORLD = "world";
+
     /** Quantity of a command. Records store the ordinal. */
     public enum Kind {
         /** Velocity of the centre of mass, m/s. */
@@ -22,7 +28,9 @@ public final class BodyOrder {
         /** Angular velocity about the world's axes, degrees per second. */
         SPIN(TURNING, "degrees per second"),
         /** A force on the centre of mass, N, for a limited time. */
-        PUSH(STRONGEST, "N");
+        PUSH(STRONGEST, "N"),
+        /** Gravity of the world, m/s^2: x and z are 0, y is 0 or less. */
+        GRAVITY(Gravity.STRONGEST, "m/s^2");
 
         private final double most;
         private final String unit;
@@ -34,7 +42,7 @@ public final class BodyOrder {
     }
 
     public final Kind kind;
-    /** Name of the object or robot. */
+    /** Name of the object or robot; {@link #WORLD} for gravity. */
     public final String name;
     /** Components along or about the world's axes. */
     public final double x;
@@ -42,6 +50,20 @@ public final class BodyOrder {
     public final double z;
     /** Duration of a force; else 0. */
     public final double seconds;
+
+    /**
+     * Returns a change of the world's gravity.
+     *
+     * @param acceleration m/s^2 downwards
+     * @throws IllegalArgumentException that names value and legal range
+     */
+    public static BodyOrder gravity(double acceleration) {
+        if (!(acceleration >= 0 && acceleration <= Gravity.STRONGEST)) {
+            throw new IllegalArgumentException("gravity is " + acceleration + ", legal: 0 to " + Gravity.STRONGEST
+                + " m/s^2 downwards");
+        }
+        return new BodyOrder(Kind.GRAVITY, WORLD, 0, 0 - acceleration, 0, 0);
+    }
 
     /**
      * @param seconds duration of a force, above 0; else 0
@@ -59,6 +81,10 @@ public final class BodyOrder {
                 throw new IllegalArgumentException(name + ": " + kind.name().toLowerCase() + " is " + value
                     + " along an axis, legal: " + -kind.most + " to " + kind.most + " " + kind.unit);
             }
+        }
+        if (kind == Kind.GRAVITY && (x != 0 || y > 0 || z != 0)) {
+            throw new IllegalArgumentException("gravity is " + -y + " m/s^2 downwards, " + x + " along x and " + z
+                + " along z, legal: 0 to " + Gravity.STRONGEST + " downwards, 0 along x and z");
         }
         if (kind == Kind.PUSH && !(seconds > 0 && seconds <= LONGEST)) {
             throw new IllegalArgumentException(name + ": push for " + seconds + " s, legal: above 0, at most "

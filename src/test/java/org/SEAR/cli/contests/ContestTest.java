@@ -201,7 +201,7 @@ public class ContestTest {
         Map<String, String> scores = scores(contest);
         assertTrue(scores.toString(), scores.get("pose")
             .endsWith("AttributeError: in a contest sear has no attribute 'getPose': a script knows only its robot's "
-                + "sensors, such as getDistanceResult and getOdomResult, and its commands (docs/contests.md)"));
+                + "sensors, such as getDistanceResult and getOdomResult, and its commands (docs/contests.md)\""));
         assertTrue(scores.toString(), scores.get("two")
             .contains("expected 1 args; got 2, legal: sear.driveStraight(speed)"));
         assertTrue(scores.toString(), scores.get("motor")

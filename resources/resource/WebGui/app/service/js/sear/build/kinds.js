@@ -4,7 +4,7 @@
 import {THINGS} from './things.js'
 
 export const GROUPS = ['Things', 'Robots', 'Drives', 'Joints', 'Sensors', 'Boards']
-const BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives', joint: 'Joints'}
+const BY_KIND = {shape: 'Things', world: 'Things', sensor: 'Sensors', part: 'Drives', joint: 'Joints'}
 const BOARDS = ['Arduino', 'Led']
 // The pictures are tiles of one file, in this order, COLUMNS per row; ./gradlew tabScreenshots -Ppictures=palette takes
 // them.
@@ -47,7 +47,7 @@ const ALSO = {
     FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
     ForceTorque: 'joint wrench load cell scale strain',
     ball: 'football toy', table: 'desk furniture', ramp: 'slope hill climb', coneAlley: 'slalom pylon lane',
-    goal: 'football gate'
+    goal: 'football gate', Gravity: 'moon mars weightless weight acceleration world'
 }
 const ALSO_ROBOTS = 'robot'
 export const PICTURED = Object.keys(WORDS)

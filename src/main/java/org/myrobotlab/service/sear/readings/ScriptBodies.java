@@ -9,14 +9,15 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.SEAR.POJOs.ScriptSession;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.physics.solid.MassProperties;
+import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.DragSpring;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
- * Velocities of and forces on objects and robots by call. Each takes effect between two steps, before the call returns.
- * Any thread.
+ * Velocities of and forces on objects and robots, and gravity, by call. Each takes effect between two steps, before the
+ * call returns. Any thread.
  */
 public final class ScriptBodies implements ScriptSession.Acts {
     private final SimulationControl control;
@@ -123,9 +124,22 @@ public final class ScriptBodies implements ScriptSession.Acts {
         order(BodyOrder.Kind.SPIN, name, x, y, z, 0);
     }
 
+    /** @param acceleration of gravity, m/s^2 downwards */
+    public void gravity(double acceleration) throws InterruptedException {
+        order(BodyOrder.gravity(acceleration));
+    }
+
+    /** Returns present gravity, m/s^2 downwards. */
+    public double gravity() throws InterruptedException {
+        return control.session().ask(Simulation::getGravity);
+    }
+
     private void order(BodyOrder.Kind kind, String name, double x, double y, double z, double seconds)
         throws InterruptedException {
-        BodyOrder order = new BodyOrder(kind, given(name), x, y, z, seconds);
+        order(new BodyOrder(kind, given(name), x, y, z, seconds));
+    }
+
+    private void order(BodyOrder order) throws InterruptedException {
         control.session().ask(world -> {
             world.order(order);
             return true;
@@ -148,6 +162,11 @@ public final class ScriptBodies implements ScriptSession.Acts {
     @Override
     public void setSpin(String name, double x, double y, double z) {
         forObject(() -> spin(name, x, y, z));
+    }
+
+    @Override
+    public void setGravity(double acceleration) {
+        forObject(() -> gravity(acceleration));
     }
 
     /** An action that waits for the simulation. */

@@ -4,6 +4,7 @@ package org.SEAR.POJOs;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
 import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.TextRule;
 
 /**
  * A joint with one free direction: limits, friction, damper, spring and motor. Positions are degrees of a hinge and
@@ -31,6 +32,12 @@ public abstract class AxisJoint extends Joint {
     private double stallForce;
     @Param(doc = "speed of the motor at full power without load", unit = "deg/s or m/s", min = 1e-6, max = MOST_FORCE)
     private Double noLoadSpeed;
+    @Param(doc = "name of another hinge, slider or rope whose position its own follows, by a gear; without it no gear",
+        text = TextRule.NAME)
+    private String gear;
+    @Param(doc = "change of its position per change of the position of the joint that it follows; 1 if missing",
+        unit = "deg or m per deg or m", min = -MOST, max = MOST)
+    private Double ratio;
 
     /** For reading from a file. */
     protected AxisJoint() {
@@ -50,6 +57,12 @@ public abstract class AxisJoint extends Joint {
     @Override
     protected void crossCheck(Faults faults) {
         super.crossCheck(faults);
+        if (getName() != null && getName().equals(gear)) {
+            faults.add("gear", gear, "another joint than itself");
+        }
+        if (getRatio() == 0) {
+            faults.add("ratio", ratio, "any number but 0");
+        }
         if (lower != null && upper != null && lower > upper) {
             faults.add("lower", lower, "at most upper, which is " + Parameter.format(upper));
         }
@@ -148,6 +161,37 @@ public abstract class AxisJoint extends Joint {
         double checkedForce = checked("stallForce", force);
         noLoadSpeed = checked("noLoadSpeed", speed);
         stallForce = checkedForce;
+        changed();
+    }
+
+    /** Returns the name of the joint whose position it follows; null without a gear. */
+    public String getGear() {
+        return gear;
+    }
+
+    public double getRatio() {
+        return ratio == null ? 1 : ratio;
+    }
+
+    /**
+     * Adds a gear, as a toothed wheel, a rack or a linkage: its position follows that of another joint from the start,
+     * and both feel each other's load.
+     *
+     * @param other a hinge, slider or rope
+     * @param newRatio change of its position per change of the other's, degrees of a hinge, metres of a slider or rope;
+     *     not 0; two meshing toothed wheels turn in opposite directions, with a negative one
+     */
+    public void setGear(AxisJoint other, double newRatio) {
+        if (other == null || other.getName().equals(getName())) {
+            throw new IllegalArgumentException(label() + ": the joint that it follows is "
+                + (other == null ? "missing (None)" : "itself") + ", legal: another Hinge, Slider or Rope");
+        }
+        if (newRatio == 0) {
+            throw new IllegalArgumentException(label() + ": ratio is 0, legal: any number but 0");
+        }
+        double checkedRatio = checked("ratio", newRatio);
+        gear = checked("gear", other.getName());
+        ratio = checkedRatio;
         changed();
     }
 }

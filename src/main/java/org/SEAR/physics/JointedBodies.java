@@ -32,14 +32,14 @@ final class JointedBodies {
         mechanism = new Mechanism(joints);
     }
 
-    /** A joint and its bodies; null for the world. */
+    /** A joint and the bodies on which it acts; null for the world. */
     static final class Link {
         final Joint joint;
         final Body[] ends;
 
-        Link(Joint joint, Body first, Body second) {
+        Link(Joint joint, Body... ends) {
             this.joint = joint;
-            ends = new Body[] {first, second};
+            this.ends = ends;
         }
 
         /** Whether a body is one of its ends and it is not broken. */

@@ -93,10 +93,10 @@ public final class PhysicsWorld {
     /**
      * Adds a joint; call {@link #restart} afterwards, and attach the joint then.
      * @param collide whether its bodies collide with each other before it breaks
-     * @param first body that it connects with the second one; null for the world
+     * @param ends bodies on which it acts, null for the world; without collisions the first two of them
      */
-    public void add(Joint joint, boolean collide, Body first, Body second) {
-        JointedBodies.Link link = new JointedBodies.Link(joint, first, second);
+    public void add(Joint joint, boolean collide, Body... ends) {
+        JointedBodies.Link link = new JointedBodies.Link(joint, ends);
         links.add(link);
         for (Body one : link.ends) {
             if (one != null) {

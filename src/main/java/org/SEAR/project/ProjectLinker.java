@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.ForceTorque;
@@ -240,6 +241,7 @@ final class ProjectLinker {
         for (ParsedObject parsed : environment.values()) {
             if (parsed.object instanceof Joint) {
                 Joint joint = (Joint) parsed.object;
+                checkGear(parsed);
                 boolean movable = canMove(parsed, "first", joint.getFirst())
                     | canMove(parsed, "second", joint.getSecond());
                 if (!movable && !problems.isFull()) {
@@ -248,6 +250,25 @@ final class ProjectLinker {
                         + " fixed ones, and setMass(kg) makes one movable");
                 }
             }
+        }
+    }
+
+    /** Checks that a gear leads to an existing joint, and by its gears not back. */
+    private void checkGear(ParsedObject parsed) {
+        List<String> names = new ArrayList<>();
+        ParsedObject last = parsed;
+        while (last != null && last.object instanceof AxisJoint && ((AxisJoint) last.object).getGear() != null
+            && !names.contains(((AxisJoint) last.object).getGear())) {
+            names.add(((AxisJoint) last.object).getGear());
+            last = environment.get(((AxisJoint) last.object).getGear());
+        }
+        String name = names.isEmpty() ? null : names.get(0);
+        ParsedObject other = name == null ? null : environment.get(name);
+        if (name != null && (other == null || !other.isBroken() && !(other.object instanceof AxisJoint))) {
+            problems.add(parsed.file, parsed.line("gear"), "gear", name, "the name of a Hinge, Slider or Rope");
+        } else if (names.contains(((Joint) parsed.object).getName())) {
+            problems.add(parsed.file, parsed.line("gear"), "gear", name, "a joint that does not follow this one: "
+                + String.join(" follows ", names));
         }
     }
 

@@ -46,6 +46,12 @@ public final class JointAdvice {
     public static Map<String, String> of(Project project) {
         JointAdvice advice = new JointAdvice(project);
         project.getJoints().stream().filter(joint -> !(joint instanceof FixedJoint)).forEach(advice::consider);
+        for (Joint joint : project.getJoints()) {
+            String gear = joint instanceof AxisJoint ? ((AxisJoint) joint).getGear() : null;
+            if (advice.reasons.containsKey(gear)) {
+                advice.reasons.putIfAbsent(joint.getName(), "its gear follows " + gear + ", which does not move");
+            }
+        }
         return advice.reasons;
     }
 

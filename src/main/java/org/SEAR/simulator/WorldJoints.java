@@ -22,6 +22,7 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.joint.DistanceJoint;
+import org.SEAR.physics.joint.GearJoint;
 import org.SEAR.physics.joint.HingeJoint;
 import org.SEAR.physics.joint.Joint;
 import org.SEAR.physics.joint.JointAxis;
@@ -44,6 +45,7 @@ public final class WorldJoints {
 
     private final List<Made> all = new ArrayList<>();
     private final Map<String, Made> named = new TreeMap<>();
+    private final List<GearJoint> gears = new ArrayList<>();
     /** Joints that can break and have not yet. */
     private final List<Made> breakable = new ArrayList<>();
     private final Consumer<String> reported;
@@ -96,6 +98,17 @@ public final class WorldJoints {
                 joint.setBreakingForce(object.getBreakingForce());
             }
         }
+        all.stream().filter(made -> made.object instanceof AxisJoint && ((AxisJoint) made.object).getGear() != null)
+            .forEach(made -> addGear(made, physics));
+    }
+
+    private void addGear(Made made, PhysicsWorld physics) {
+        Made other = named.get(((AxisJoint) made.object).getGear());
+        GearJoint gear = new GearJoint((org.SEAR.physics.joint.AxisJoint) made.joint,
+            (org.SEAR.physics.joint.AxisJoint) other.joint,
+            ((AxisJoint) made.object).getRatio() * made.unit / other.unit);
+        gears.add(gear);
+        physics.add(gear, true, made.first, made.second, other.first, other.second);
     }
 
     /** Whether an unbroken joint holds a body. */
@@ -134,6 +147,7 @@ public final class WorldJoints {
             }
             hold(made);
         }
+        gears.forEach(GearJoint::engage);
     }
 
     /**

@@ -244,6 +244,57 @@ public class JointsTest {
     }
 
     @Test
+    public void gearsHoldTheirRatioUnderLoad() throws Exception {
+        try (Stage stage = new Stage()) {
+            Box wheel = new Box("wheel", 0.2, 0.2, 0.05, 1, 0, 5, 0);
+            Hinge driving = hinge("driving", null, wheel, 0, 5);
+            driving.setMotor(5, 720);
+            Box pinion = new Box("pinion", 0.1, 0.1, 0.05, 0.3, 1, 5, 0);
+            Hinge meshing = hinge("meshing", null, pinion, 1, 5);
+            meshing.setGear(driving, -2.5);
+            Box rack = new Box("rack", 0.1, 0.1, 0.1, 2, 2, 5, 0);
+            new Slider("lift", null, rack, 2, 5, 0).setGear(meshing, 0.001);
+            BodyRun run = stage.start();
+            run.order(Kind.JOINT_SPEED, "driving", -180);
+            for (int i = 0; i < 300; i++) {
+                run.step();
+                double turned = run.joint("driving")[0];
+                assertEquals(-2.5 * turned, run.joint("meshing")[0], 1e-5 * Math.abs(turned) + 1e-6);
+                assertEquals(-0.0025 * turned, run.joint("lift")[0], 1e-8 * Math.abs(turned) + 1e-9);
+            }
+            assertEquals("the load of the rack at the motor, N m", 2 * G * 0.0025 * Math.toDegrees(1),
+                -run.joint("driving")[2], 0.01);
+            assertEquals("power = weight times speed", 0.45, run.joint("lift")[1], 1e-3);
+        }
+    }
+
+    @Test
+    public void aGearOfFreeBodiesReactsOnTheirFrame() throws Exception {
+        try (Stage stage = new Stage()) {
+            Box frame = new Box("frame", 0.4, 0.4, 0.1, 2, 0, 500, 0);
+            Box big = new Box("big", 0.3, 0.3, 0.05, 1, 0, 500, 0);
+            Box small = new Box("small", 0.1, 0.1, 0.05, 0.5, 0.4, 500, 0);
+            Hinge axle = new Hinge("axle", frame, big, 0, 500, 0);
+            axle.setMotor(1, 6000);
+            Hinge other = new Hinge("other", frame, small, 0.4, 500, 0);
+            other.setGear(axle, 3);
+            BodyRun run = stage.start();
+            run.order(Kind.JOINT_POWER, "axle", 0.5);
+            run.run(1);
+            assertTrue("it turns", run.joint("axle")[0] > 90);
+            assertEquals(3 * run.joint("axle")[0], run.joint("other")[0], 1e-3);
+            double sum = 0;
+            for (String name : new String[] {"frame", "big", "small"}) {
+                double[] v = run.velocities(name);
+                Body body = run.body(name);
+                sum += body.getMassProperties().inertia.yy * v[4]
+                    + body.mass * (body.getPose().z * v[0] - body.getPose().x * v[2]);
+            }
+            assertEquals("angular momentum", 0, sum, 1e-5);
+        }
+    }
+
+    @Test
     public void aSpringHasItsPeriodAndARopeItsLength() throws Exception {
         try (Stage stage = new Stage()) {
             Box weight = new Box("weight", 0.1, 0.1, 0.1, 1, 0, 5, 0);

@@ -285,7 +285,7 @@ for kind in (Hinge, Slider):
     joint.setSpring(5, 1)
     joint.setMotor(2, 90)
 add(ForceTorque(name(), joint.getName()))
-Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8)
+joint.setGear(Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8), -2)
 
 Gravity("gravity", 3.71)
 gravity = Gravity("gravity", "Moon")

@@ -41,6 +41,12 @@ public abstract class AxisJoint extends Joint {
     /** Measures direction and position from both frames. */
     abstract void measureAxis();
 
+    /** Measures its axis at the bodies' present poses. */
+    final void locate() {
+        follow();
+        measureAxis();
+    }
+
     @Override
     final int rows() {
         return heldRows() + axis.rows();

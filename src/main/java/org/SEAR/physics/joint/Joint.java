@@ -41,7 +41,7 @@ public abstract class Joint {
     }
 
     /** Bodies on which its rows act. Not a copy. */
-    final JointedBody[] ends() {
+    JointedBody[] ends() {
         return ends;
     }
 
@@ -189,7 +189,7 @@ public abstract class Joint {
     }
 
     /** Whether it has no effect any more. */
-    public final boolean isBroken() {
+    public boolean isBroken() {
         return broken;
     }
 

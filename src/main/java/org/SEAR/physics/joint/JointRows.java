@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics.joint;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -9,8 +10,8 @@ import java.util.List;
  * thread.
  */
 final class JointRows {
-    /** Largest number of bodies per row. */
-    private static final int TERMS = 2;
+    /** Largest number of bodies per row: those of two joints with a gear. */
+    private static final int TERMS = 4;
     private static final int NUMBERS = 6;
 
     /** State of a row. */
@@ -121,23 +122,36 @@ final class JointRows {
     }
 
     private void add(int row, JointedBody body, double lx, double ly, double lz, double ax, double ay, double az) {
-        int term = row * TERMS + terms[row]++;
-        int at = term * NUMBERS;
-        bodies[term] = body;
-        jacobian[at] = lx;
-        jacobian[at + 1] = ly;
-        jacobian[at + 2] = lz;
-        jacobian[at + 3] = ax;
-        jacobian[at + 4] = ay;
-        jacobian[at + 5] = az;
+        int at = term(row, body) * NUMBERS;
+        jacobian[at] += lx;
+        jacobian[at + 1] += ly;
+        jacobian[at + 2] += lz;
+        jacobian[at + 3] += ax;
+        jacobian[at + 4] += ay;
+        jacobian[at + 5] += az;
         double mass = body.movable ? body.inverseMass : 0;
         double turns = body.movable ? 1 : 0;
-        response[at] = mass * lx;
-        response[at + 1] = mass * ly;
-        response[at + 2] = mass * lz;
-        response[at + 3] = turns * (body.i00 * ax + body.i01 * ay + body.i02 * az);
-        response[at + 4] = turns * (body.i01 * ax + body.i11 * ay + body.i12 * az);
-        response[at + 5] = turns * (body.i02 * ax + body.i12 * ay + body.i22 * az);
+        response[at] += mass * lx;
+        response[at + 1] += mass * ly;
+        response[at + 2] += mass * lz;
+        response[at + 3] += turns * (body.i00 * ax + body.i01 * ay + body.i02 * az);
+        response[at + 4] += turns * (body.i01 * ax + body.i11 * ay + body.i12 * az);
+        response[at + 5] += turns * (body.i02 * ax + body.i12 * ay + body.i22 * az);
+    }
+
+    /** Returns the term of a body in a row, a new one if it has none. */
+    private int term(int row, JointedBody body) {
+        int end = row * TERMS + terms[row];
+        for (int term = row * TERMS; term < end; term++) {
+            if (bodies[term] == body) {
+                return term;
+            }
+        }
+        terms[row]++;
+        bodies[end] = body;
+        Arrays.fill(jacobian, end * NUMBERS, (end + 1) * NUMBERS, 0);
+        Arrays.fill(response, end * NUMBERS, (end + 1) * NUMBERS, 0);
+        return end;
     }
 
     /** Returns the change of a row's speed per unit impulse at this row. */

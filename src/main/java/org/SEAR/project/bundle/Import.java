@@ -18,6 +18,7 @@ import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.Joint;
@@ -99,9 +100,7 @@ final class Import {
         for (SearObject object : source.getEnvironment()) {
             write(object, ProjectFolder.ENVIRONMENT, renamed.get(object.getName()), prefix);
         }
-        for (Joint joint : source.getJoints()) {
-            copy(joint, renamed, prefix, name -> true);
-        }
+        copyJoints(renamed, prefix, name -> true);
         return renamed;
     }
 
@@ -111,13 +110,35 @@ final class Import {
     }
 
     /**
-     * Copies a joint if all its objects are copied.
+     * Copies the joints whose objects are all copied.
      *
-     * @param renamed new names of copied objects by old names; gets the joint's
+     * @param renamed new names of copied objects by old names; gets those of joints
      * @param reported whether a joint that has an object of this name and stays behind is worth a message
      */
-    private void copy(Joint joint, Map<String, String> renamed, String prefix, Predicate<String> reported)
+    private void copyJoints(Map<String, String> renamed, String prefix, Predicate<String> reported)
         throws IOException {
+        List<Joint> coming = new ArrayList<>();
+        for (Joint joint : source.getJoints()) {
+            if (comes(joint, renamed, reported)) {
+                coming.add(joint);
+                String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
+                names.add(key(name));
+                renamed.put(joint.getName(), name);
+            }
+        }
+        for (Joint joint : coming) {
+            String gear = joint instanceof AxisJoint ? ((AxisJoint) joint).getGear() : null;
+            if (gear != null && !renamed.containsKey(gear)) {
+                left.add(joint + " leaves its gear behind: the import does not copy " + gear + ", which it follows");
+            }
+            set(joint, "first", renamed::get);
+            set(joint, "second", renamed::get);
+            set(joint, "gear", renamed::get);
+            write(joint, ProjectFolder.ENVIRONMENT, renamed.get(joint.getName()), prefix);
+        }
+    }
+
+    private boolean comes(Joint joint, Map<String, String> renamed, Predicate<String> reported) {
         List<String> missing = new ArrayList<>();
         for (String end : Arrays.asList(joint.getFirst(), joint.getSecond())) {
             if (end != null && !renamed.containsKey(end)) {
@@ -129,14 +150,8 @@ final class Import {
                 left.add(joint + " stays behind: the import does not copy " + String.join(" and ", missing)
                     + ", which it joins");
             }
-            return;
         }
-        set(joint, "first", renamed::get);
-        set(joint, "second", renamed::get);
-        String name = unique(joint.getName(), other -> names.contains(other) || parts.contains(other));
-        names.add(key(name));
-        renamed.put(joint.getName(), name);
-        write(joint, ProjectFolder.ENVIRONMENT, name, prefix);
+        return missing.isEmpty();
     }
 
     /**
@@ -169,9 +184,7 @@ final class Import {
             .set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
         ParameterTable.of(SEARrobot.class).find("component").set(robot, new ArrayList<>(files.values()));
         String prefix = copyAssets();
-        for (Joint joint : source.getJoints()) {
-            copy(joint, renamed, prefix, robot.getName()::equals);
-        }
+        copyJoints(renamed, prefix, robot.getName()::equals);
         Iterator<String> file = files.values().iterator();
         for (SearObject part : components) {
             if (part instanceof ForceTorque) {

@@ -4,6 +4,7 @@ package org.SEAR.project.edit;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SearObject;
@@ -22,6 +23,11 @@ final class JointReferences {
                 ParameterTable.of(joint.getClass()).get(old.equals(joint.getFirst()) ? "first" : "second")
                     .set(joint, now);
                 draft.write(path, joint);
+            }
+            SearObject object = draft.readIfWhole(path);
+            if (object instanceof AxisJoint && old.equals(((AxisJoint) object).getGear())) {
+                ParameterTable.of(object.getClass()).get("gear").set(object, now);
+                draft.write(path, object);
             }
         }
         for (String path : draft.list(true)) {

@@ -2,6 +2,7 @@
 package org.SEAR.project.bundle;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
@@ -83,6 +84,23 @@ public class ImportTest {
         assertEquals("pin_2", renamed.get("pin"));
         assertEquals("[BallJoint \"hook\" stays behind: the import does not copy rover, which it joins, "
             + "Hinge \"mast\" stays behind: the import does not copy rover, which it joins]", said.toString());
+    }
+
+    @Test
+    public void gearsComeWithTheJointsThatTheyFollow() throws Exception {
+        project.put("environment/crate.xml", project.text("environment/crate.xml").replace("</height>",
+            "</height><mass>1</mass>"));
+        project.put("environment/mast.xml", "<Hinge><name>mast</name><second>rover</second></Hinge>");
+        project.put("environment/axle.xml", "<Hinge><name>axle</name><second>crate</second><gear>rack</gear></Hinge>");
+        project.put("environment/rack.xml",
+            "<Slider><name>rack</name><second>crate</second><gear>mast</gear></Slider>");
+        Bundle.save(project.folder(), bundle);
+        List<String> said = new ArrayList<>();
+        Bundle.importEnvironment(bundle, project.folder(), saying(said));
+        assertTrue(project.text("environment/axle_2.xml").contains("<gear>rack_2</gear>"));
+        assertFalse(project.text("environment/rack_2.xml").contains("<gear>"));
+        assertTrue(said.toString(), said.contains("Slider \"rack\" leaves its gear behind: the import does not copy "
+            + "mast, which it follows"));
     }
 
     private static Progress saying(List<String> said) {

@@ -90,6 +90,39 @@ public class JointEditsTest extends EditedProject {
     }
 
     @Test
+    public void gearsFollowARenamedJointAndWrongOnesAreReported() throws Exception {
+        door();
+        Hinge hinge = new Hinge("hinge", null, new Box("lid", 1, 1, 1, 5));
+        Slider bolt = new Slider("bolt", null, new Box("pin", 1, 1, 1, 5));
+        bolt.setGear(hinge, -0.01);
+        edit("do", "rename", "object", "hinge", "name", "pivot");
+        Slider read = (Slider) Project.read(project.folder()).getJoints().get(0);
+        assertEquals("pivot -0.01", read.getGear() + " " + read.getRatio());
+        String script = ProjectScript.of(Project.read(project.folder()));
+        assertTrue(script, script.contains("\"gear\": \"pivot\", "));
+        wrongGear("ring", "\"ring\", legal: the name of a Hinge, Slider or Rope");
+        wrongGear("bolt", "another joint than itself");
+        edit("do", "set", "object", "bolt", "set", Map.of("gear", "pivot"));
+        String said = assertThrows(ProjectException.class,
+            () -> edit("do", "set", "object", "pivot", "set", Map.of("gear", "bolt"))).getMessage();
+        assertTrue(said, said.contains("a joint that does not follow this one: "));
+        said = assertThrows(IllegalArgumentException.class, () -> bolt.setGear(bolt, 1)).getMessage();
+        assertEquals("Slider \"bolt\": the joint that it follows is itself, legal: another Hinge, Slider or Rope",
+            said);
+        said = assertThrows(IllegalArgumentException.class, () -> bolt.setGear(hinge, 0)).getMessage();
+        assertEquals("Slider \"bolt\": ratio is 0, legal: any number but 0", said);
+        edit("do", "set", "object", "pivot", "set", Map.of("lower", "3", "upper", "3"));
+        assertEquals("its gear follows pivot, which does not move",
+            JointAdvice.of(Project.read(project.folder())).get("bolt"));
+    }
+
+    private void wrongGear(String name, String legal) {
+        String said = assertThrows(ProjectException.class,
+            () -> edit("do", "set", "object", "bolt", "set", Map.of("gear", name))).getMessage();
+        assertTrue(said, said.contains(legal));
+    }
+
+    @Test
     public void jointsAreDeletedWithTheirObject() throws Exception {
         door();
         Outcome outcome = edit("do", "delete", "object", "frame");

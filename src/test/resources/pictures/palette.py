@@ -61,6 +61,11 @@ def draw_Terrain():
 def draw_Model():
     sear.loadProject('examples/office.sear')
 
+def draw_Gravity():
+    ball(BLUE, 0.5)
+    rod(YELLOW, 0.07, 0.5, 0, 1.05, 0)
+    tip(YELLOW, 0.2, 0.3, 0, 0.68, 0, 180)
+
 def draw_Wheel():
     wheel()
 def draw_Motor():

@@ -187,14 +187,17 @@ final class ThresholdScenes {
      * of its springs.
      * @param x direction of the push, likewise z
      * @param degrees of a slope on which it would tip over with stiff springs
+     * @param shift by which its wheels' contact moves as it leans, per radian, over the height of its centre of mass
      */
-    static void robot(Maker maker, String name, double x, double z, double degrees, Findings into) throws Exception {
+    static void robot(Maker maker, String name, double x, double z, double degrees, double shift, Findings into)
+        throws Exception {
         double lean = lean(maker, x, z, Math.tan(Math.toRadians(0.9 * degrees)), 6) / Math.tan(
             Math.toRadians(0.9 * degrees));
         double limit = degrees;
         for (int i = 0; i < 10; i++) {
-            // leaning also lowers the centre of mass against the loaded wheels
-            limit = degrees - lean * Math.tan(Math.toRadians(limit)) * Math.pow(Math.cos(Math.toRadians(limit)), 2);
+            // leaning moves the centre of mass, and the contact of its round wheels
+            limit = degrees - (1 - shift) * lean * Math.tan(Math.toRadians(limit))
+                * Math.pow(Math.cos(Math.toRadians(limit)), 2);
         }
         into.in(String.format(Locale.ROOT, "%s, tips over from %.2f degrees, from %.2f with stiff springs", name,
             limit, degrees));

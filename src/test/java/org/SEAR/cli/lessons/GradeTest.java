@@ -131,7 +131,7 @@ public class GradeTest {
         assertTrue(text, lines.get("empty").startsWith("empty,square,nothing to mark,0,0,"));
         assertTrue(text, lines.get("nobody").startsWith("nobody,square,nothing to mark,0,0,"));
         assertTrue(text, lines.get("builder").startsWith("builder,square,not yet,0,0,")
-            && lines.get("builder").contains("it must use the lesson's world"));
+            && lines.get("builder").contains("replaces or changes the lesson's world"));
         assertTrue(text, text.contains("1 of 8 have passed"));
         Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder()
             .parse(new File(folder.getRoot(), "marks/marks.xml")).getDocumentElement();

@@ -24,7 +24,7 @@ const WORDS = {
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture',
     Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
     ForceTorque: 'Force and torque',
-    ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal'
+    ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal', Gravity: 'Gravity'
 }
 // Other search words.
 const ALSO = {

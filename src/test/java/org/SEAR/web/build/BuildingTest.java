@@ -544,7 +544,7 @@ public class BuildingTest {
         waitForSelected("rover1");
         drag(inSpace(0, 0.05, there), inSpace(0.2, 0.05, there - 0.3));
         browser.until("it was put elsewhere",
-            () -> tab.isTrue("edits.object.object == 'rover1' && edits.object.values.z != '0'"));
+            () -> tab.isTrue("edits.object.object == 'rover1' && edits.object.values.x != '0'"));
         double put = tab.number("1 * edits.object.values.z");
         assertEquals(there - 0.3, put, 0.06);
         assertEquals("it stands on the ground", 0, tab.number("1 * edits.object.values.y"), 0.001);

@@ -18,13 +18,14 @@ export const WORDS = {
     first: 'first object', second: 'second object', collide: 'they collide', breakingForce: 'breaks at',
     lower: 'lower limit', upper: 'upper limit', restitution: 'bounce', friction: 'dry friction', damping: 'damper',
     stiffness: 'spring rate', rest: 'spring at rest at', stallForce: 'motor force', noLoadSpeed: 'motor speed',
+    gear: 'follows joint', ratio: 'gear ratio',
     endX: 'end x', endY: 'end y', endZ: 'end z'
 }
 export const GROUPS = [
     ['Objects', /^(first|second|collide|breakingForce)$/],
     ['Place', /^([xyz]|r[xyz]|end[XYZ])$/],
     ['Limits', /^(lower|upper|restitution)$/],
-    ['Motor', /^(stallForce|noLoadSpeed)$/],
+    ['Motor', /^(stallForce|noLoadSpeed|gear|ratio)$/],
     ['Spring and losses', /^(stiffness|rest|damping|friction)$/],
     ['Settings', null]
 ]

@@ -41,8 +41,8 @@ export class Welcome {
     }
 
     isShown() {
-        const free = !this.panel.isSimulating() && !this.world.instead
-        return free && (this.opened || this.world.isEmpty() && !this.view.building)
+        const asks = this.world.isEmpty() && !this.view.building && !this.world.instead
+        return !this.panel.isSimulating() && (this.opened || asks)
     }
 
     /** Shows the tiles, or hides those that the user asked for. */

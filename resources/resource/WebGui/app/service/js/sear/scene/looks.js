@@ -98,9 +98,7 @@ export class Looks {
                 }
             }
         })
-        Object.keys(this.wanted).forEach(key => {
-            this.wanted[key] = 0        // requests again what did not fit into the answer
-        })
+        this.wanted = {}            // shapes that still lack something ask again; those of a replaced world do not
         this.whenThere()
     }
 

@@ -96,8 +96,8 @@ public class PanelsTest extends InPage {
                 page.browser.click("[data-tile='build']");
             }
             page.browser.seeText(".sear-note", "Not running");
-            assertEquals("#fff around black words", "rgb(255, 255, 255)", page.browser.script(
-                "return getComputedStyle(document.querySelector('.sear-note')).textShadow.match(/rgb[^)]*\\)/)[0]"));
+            assertEquals("white below black words", "rgba(255, 255, 255, 0.86)", page.browser.script(
+                "return getComputedStyle(document.querySelector('.sear-note')).backgroundColor"));
         } finally {
             page.browser.setTheme("light");
         }

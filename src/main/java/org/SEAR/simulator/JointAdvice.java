@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.simulator;
 
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -52,7 +53,7 @@ public final class JointAdvice {
                 advice.reasons.putIfAbsent(joint.getName(), "its gear follows " + gear + ", which does not move");
             }
         }
-        return advice.reasons;
+        return Collections.unmodifiableMap(advice.reasons);
     }
 
     private String group(String name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.collision;
 
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Vec3;
 
 /**
@@ -18,6 +19,8 @@ public final class WheelSweep implements Convex {
     /** Gap to a convex set from which on both surfaces count as planes, metres; smaller gaps have vaguer normals. */
     private static final double CLOSE = 2e-4;
     private static final int ITERATIONS = 40;
+    /** Distance by which the bounds are larger, metres. */
+    private static final double MARGIN = 1e-6;
     /** Part of a normal in the rolling direction up to which the contact is at the lowest point. */
     private static final double LEVEL = 0.05;
     /** Square of a length below which an edge is vertical or a polygon has no area, m^2. */
@@ -30,6 +33,8 @@ public final class WheelSweep implements Convex {
     private final Vec3 ahead = new Vec3();
     private final Vec3 aside = new Vec3();
     private double radius;
+    /** Half of the width, metres. */
+    private double half;
     private double stretch;
     /** Distance of the side planes from the middle, times the factor, metres. */
     private double wide;
@@ -54,15 +59,16 @@ public final class WheelSweep implements Convex {
      * @param newMount mount of the suspension, world frame, metres
      * @param newUp unit direction of the suspension, world frame
      * @param newAhead unit direction of rolling, at right angles to it
-     * @param half of the width, metres
+     * @param newHalf half of the width, metres
      * @param ball whether it is a ball
      */
-    public void set(Vec3 newMount, Vec3 newUp, Vec3 newAhead, double newRadius, double half, boolean ball) {
+    public void set(Vec3 newMount, Vec3 newUp, Vec3 newAhead, double newRadius, double newHalf, boolean ball) {
         mount.set(newMount);
         up.set(newUp);
         ahead.set(newAhead);
         aside.cross(up, ahead);
         radius = newRadius;
+        half = ball ? radius : newHalf;
         stretch = ball ? 1 : Math.min(Math.min(1, radius / half), Math.sqrt(4 * CROWN * radius / half));
         wide = ball ? radius : stretch * half;
     }
@@ -80,6 +86,26 @@ public final class WheelSweep implements Convex {
         for (int i = 0; i < highest.length; i++) {
             highest[i].height = lowest;
         }
+    }
+
+    /**
+     * Computes bounds, in the world frame, of what the wheel may touch in this search.
+     * @return whether there may be anything
+     */
+    public boolean bounds(Aabb box) {
+        double low = lowest - radius;
+        double middle = (low + limit) / 2;
+        double reach = (limit - low) / 2 + MARGIN;
+        bound(box, 0, mount.x + middle * up.x, reach, up.x, ahead.x, aside.x);
+        bound(box, 1, mount.y + middle * up.y, reach, up.y, ahead.y, aside.y);
+        bound(box, 2, mount.z + middle * up.z, reach, up.z, ahead.z, aside.z);
+        return limit >= low;
+    }
+
+    /** @param u component of the direction up along the axis, likewise f ahead and s aside */
+    private void bound(Aabb box, int axis, double middle, double reach, double u, double f, double s) {
+        double most = Math.abs(u) * reach + Math.abs(f) * radius + Math.abs(s) * half;
+        box.set(axis, middle - most, middle + most);
     }
 
     /** Sets the number of the shape whose polygons or convex set follow. */

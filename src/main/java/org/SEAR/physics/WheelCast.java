@@ -16,8 +16,6 @@ import org.SEAR.raycast.ShapeFinder;
  * Simulation thread.
  */
 public final class WheelCast {
-    /** Distance by which the searched box is larger, metres. */
-    private static final double MARGIN = 1e-6;
     /** Smallest cosine between the normal of a box's face and the suspension of a face to test. */
     private static final double FACES_UP = 1e-9;
 
@@ -26,11 +24,6 @@ public final class WheelCast {
     private final WheelSweep sweep = new WheelSweep();
     private final Aabb box = new Aabb();
     private final Vec3 up = new Vec3();
-    private final Vec3 ahead = new Vec3();
-    private final Vec3 aside = new Vec3();
-    private final Vec3 mount = new Vec3();
-    private double radius;
-    private double half;
     private final double[] frame = new double[12];
     private final double[] corners = new double[12];
     private final PlacedConvex convex = new PlacedConvex();
@@ -43,20 +36,15 @@ public final class WheelCast {
 
     /**
      * Sets the wheel.
-     * @param newMount mount of its suspension, world frame, metres
+     * @param mount of its suspension, world frame, metres
      * @param newUp unit direction of the suspension, world frame
-     * @param newAhead unit direction of rolling, at right angles to it
-     * @param newHalf half of the width, metres
+     * @param ahead unit direction of rolling, at right angles to it
+     * @param half of the width, metres
      * @param ball whether it is a ball
      */
-    public void set(Vec3 newMount, Vec3 newUp, Vec3 newAhead, double newRadius, double newHalf, boolean ball) {
-        mount.set(newMount);
+    public void set(Vec3 mount, Vec3 newUp, Vec3 ahead, double radius, double half, boolean ball) {
         up.set(newUp);
-        ahead.set(newAhead);
-        aside.cross(up, ahead);
-        radius = newRadius;
-        half = ball ? newRadius : newHalf;
-        sweep.set(newMount, newUp, newAhead, newRadius, newHalf, ball);
+        sweep.set(mount, newUp, ahead, radius, half, ball);
     }
 
     /**
@@ -68,28 +56,13 @@ public final class WheelCast {
      */
     public void find(double lowest, double limit, double least, int owner) {
         sweep.begin(lowest, limit, least);
-        double low = lowest - radius;
-        if (limit < low) {
+        if (!sweep.bounds(box)) {
             return;
         }
-        bound((low + limit) / 2, (limit - low) / 2 + MARGIN);
         int count = finder.find(box, owner);
         for (int i = 0; i < count; i++) {
             sweep(finder.get(i));
         }
-    }
-
-    private void bound(double middle, double reach) {
-        bound(0, mount.x + middle * up.x,
-            Math.abs(up.x) * reach + Math.abs(ahead.x) * radius + Math.abs(aside.x) * half);
-        bound(1, mount.y + middle * up.y,
-            Math.abs(up.y) * reach + Math.abs(ahead.y) * radius + Math.abs(aside.y) * half);
-        bound(2, mount.z + middle * up.z,
-            Math.abs(up.z) * reach + Math.abs(ahead.z) * radius + Math.abs(aside.z) * half);
-    }
-
-    private void bound(int axis, double middle, double reach) {
-        box.set(axis, middle - reach, middle + reach);
     }
 
     private void sweep(int number) {
@@ -153,6 +126,11 @@ public final class WheelCast {
         for (int k = 0; k < 3; k++) {
             corners[3 * number + k] = frame[9 + k] + frame[3 * k] * x + frame[3 * k + 1] * y + frame[3 * k + 2] * z;
         }
+    }
+
+    /** Returns the number of nodes that searches have visited so far. */
+    public long getNodes() {
+        return finder.getNodes();
     }
 
     /**

@@ -69,6 +69,11 @@ public final class ShapeFinder {
         }
     }
 
+    /** Returns the number of nodes visited so far. */
+    public long getNodes() {
+        return nodes.getNodes() + leaves.getNodes();
+    }
+
     /** Returns the number of a found shape. */
     public int get(int index) {
         return found[index];

@@ -12,6 +12,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.Slow;
 import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.WheelCast;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Worlds;
@@ -60,7 +61,7 @@ public class FleetWorkTest {
 
     /**
      * Returns the work per robot and step: shapes moved, busy bodies, solver iterations, boxes and shapes tested by
-     * beams, bytes allocated.
+     * beams and wheels, bytes allocated.
      */
     private double[] work(int robots) throws Exception {
         fleet(robots);
@@ -86,8 +87,9 @@ public class FleetWorkTest {
         PhysicsWorld physics = Worlds.physics(simulation);
         BeamScene scene = simulation.getRobots().get(0).getTruth().scene();
         RayCaster beams = BeamScene.casters().rays;
+        WheelCast wheels = Worlds.scenes(simulation).wheels;
         double[] before = {scene.getMoves(), 0, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
-            + beams.tested, threads.getThreadAllocatedBytes(id)};
+            + beams.tested + wheels.getNodes(), threads.getThreadAllocatedBytes(id)};
         long busy = 0;
         for (int i = 0; i < STEPS; i++) {
             simulation.step();
@@ -97,7 +99,7 @@ public class FleetWorkTest {
             }
         }
         double[] after = {scene.getMoves(), busy, physics.getSolverIterations(), beams.nodes() + beams.fanNodes
-            + beams.tested, threads.getThreadAllocatedBytes(id)};
+            + beams.tested + wheels.getNodes(), threads.getThreadAllocatedBytes(id)};
         for (int i = 0; i < after.length; i++) {
             after[i] -= before[i];
         }
@@ -110,7 +112,7 @@ public class FleetWorkTest {
         double[] among = work(MANY);
         String found = "moves, bodies, turns, boxes of beams, bytes: "
             + Arrays.toString(alone) + " alone, " + Arrays.toString(among) + " among " + MANY;
-        assertTrue(found, alone[0] > 1 && alone[1] >= 1 && alone[3] > 30);
+        assertTrue(found, alone[0] > 1 && alone[1] >= 1 && alone[3] > 50);
         for (int i = 0; i < 3; i++) {
             assertTrue(found, among[i] <= alone[i] * 1.02 + 0.01);
         }

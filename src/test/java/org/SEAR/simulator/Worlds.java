@@ -9,6 +9,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.RaycastScenes;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 
@@ -20,6 +21,11 @@ public final class Worlds {
     /** Returns the physics of a simulation, whose bodies only the simulation may move. */
     public static PhysicsWorld physics(Simulation of) {
         return of.getWorld().getPhysics();
+    }
+
+    /** Returns the scenes of a simulation's beams and wheels. */
+    public static RaycastScenes scenes(Simulation of) {
+        return of.getWorld().getScenes();
     }
 
     public static Body body(Simulation of, String name) {

@@ -7,6 +7,7 @@ import org.SEAR.geometry.Aabb;
 public final class BoxTraversal {
     private final int[] stack = new int[Bvh.MAX_DEPTH];
     private int depth;
+    private long nodes;
     private Bvh tree;
     private Aabb box;
 
@@ -24,6 +25,7 @@ public final class BoxTraversal {
     public int next() {
         while (depth > 0) {
             int node = stack[--depth];
+            nodes++;
             if (overlaps(node)) {
                 if (tree.count(node) > 0) {
                     return node;
@@ -33,6 +35,11 @@ public final class BoxTraversal {
             }
         }
         return -1;
+    }
+
+    /** Returns the number of nodes visited so far. */
+    public long getNodes() {
+        return nodes;
     }
 
     private boolean overlaps(int node) {

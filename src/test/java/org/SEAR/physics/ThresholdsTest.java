@@ -56,7 +56,7 @@ public class ThresholdsTest {
     public void robotsTipOverAndSlideUnderAGrowingPush() throws Exception {
         ThresholdScenes.robot(Robots::rover, "rover", 0, 1, 29.96, 0.05 / 0.0867, findings);
         ThresholdScenes.robot(Robots::fourWheeled, "fourWheeled", 0, -1, 42.92, 0.06 / 0.1075, findings);
-        ThresholdScenes.robot(Robots::car, "car", 1, 0, 53.89, 0.015 / Math.toRadians(2) / 0.0875, findings);
+        ThresholdScenes.robot(Robots::car, "car", 1, 0, 53.89, 0.03 / (8 * 0.01) / 0.0875, findings);
         ThresholdScenes.slide(Robots::car, "car", 1, 0, findings);
         ThresholdScenes.slide(Robots::fourWheeled, "fourWheeled", 0, 1, findings);
         findings.assertHold();

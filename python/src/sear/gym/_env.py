@@ -21,12 +21,14 @@ class SearEnv(gymnasium.Env):
 
     project: a .sear file or a folder SEARproject.
     robot: its name; optional if there is only one.
-    sensors: names of the observed sensors and joints. Default: all except cameras, or the cameras if there are no others.
+    sensors: names of the observed sensors and joints. Default: all sensors except cameras, or the cameras if there are
+        no others.
     things: names of objects whose poses are observed, too.
     actions: a list of wheel speeds (left, right), m/s, from which the learner chooses; or a number: the learner chooses
         both speeds, up to that number. For other controls a dictionary of their ranges, as {"speed": (0, 1),
         "steering": (-30, 30)}, or a list of dictionaries of values. A key is a motor (power, -1 to 1) or servo (degrees)
-        of the robot, a joint with a motor (position between its limits, else speed), else "left" and "right" or "speed" (wheels, m/s), or "steering" (degrees, + left).
+        of the robot, a joint with a motor (position between its limits, else speed), else "left" and "right" or "speed"
+        (wheels, m/s), or "steering" (degrees, + left).
     reward: a function of the RobotState after an action. Default: distance moved forward, less 1 for a bump.
     done: a function that returns whether the episode has ended. Default: the robot has bumped, lies on its side or has
         fallen off the floor.

@@ -73,11 +73,11 @@ final class NarrowPhase {
      */
     NarrowPhase(double seconds, double gravity) {
         this.seconds = seconds;
-        setGravity(gravity, seconds);
+        setGravity(gravity);
     }
 
     /** @param gravity m/s^2 */
-    void setGravity(double gravity, double seconds) {
+    void setGravity(double gravity) {
         gain = gravity * seconds;
     }
 

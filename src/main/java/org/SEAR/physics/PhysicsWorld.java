@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.vecmath.Vector3f;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
@@ -17,8 +18,6 @@ import org.SEAR.physics.joint.Mechanism;
  * leave in the order of their numbers. Simulation thread.
  */
 public final class PhysicsWorld {
-    /** Default gravity, that of the Earth, m/s^2. */
-    public static final double GRAVITY = 9.81;
     /** Extent of a zone beyond a body at rest, metres. */
     private static final double REACH = 0.5;
     /** Time for which a moving body stays in its zone, seconds. */
@@ -66,7 +65,7 @@ public final class PhysicsWorld {
     private NarrowPhase finder;
     private BroadPhase broadPhase;
     private IslandSolver solver;
-    private double gravity = GRAVITY;
+    private double gravity = Gravity.EARTH;
     private int sleepers;
     private Aabb[] bounds;
     private Aabb[] zones;
@@ -120,7 +119,7 @@ public final class PhysicsWorld {
     public void setGravity(double newGravity) {
         gravity = newGravity;
         if (solver != null) {
-            finder.setGravity(gravity, TimeStep.SECONDS);
+            finder.setGravity(gravity);
             solver.setGravity(gravity);
             movable.forEach(Body::wake);
         }

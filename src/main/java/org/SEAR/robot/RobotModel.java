@@ -128,8 +128,8 @@ public final class RobotModel implements Robot, RobotHardware {
     public void restart(PhysicsWorld physics, long seed) {
         turrets.attach();
         WheelErrors errors = new WheelErrors(dynamics.getErrors(), seed, object.getName());
-        train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number, reported);
-        train.setGravity(physics.getGravity());
+        train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number,
+            truth::gravity, reported);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }

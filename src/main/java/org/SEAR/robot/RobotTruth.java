@@ -4,12 +4,12 @@ package org.SEAR.robot;
 import java.util.Arrays;
 import java.util.function.BiConsumer;
 import java.util.function.DoubleSupplier;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.camera.Appearances;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.robot.surface.SurfaceColors;
@@ -41,7 +41,7 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
     private DoubleSupplier encoders;
-    private DoubleSupplier gravity = () -> PhysicsWorld.GRAVITY;
+    private DoubleSupplier gravity = () -> Gravity.EARTH;
     private BiConsumer<String, double[]> wrenches;
 
     public RobotTruth(RobotBuilder from, RaycastScenes scenes, SurfaceColors colors, int owner, Earth earth,

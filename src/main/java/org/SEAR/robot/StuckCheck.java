@@ -70,19 +70,19 @@ final class StuckCheck {
         String warning = null;
         if (standing >= PATIENCE && !reported) {
             reported = true;
-            warning = words(commanded, grounded);
+            warning = words(commanded);
         }
         side = Math.signum(commanded);
         blocker = null;
         return warning;
     }
 
-    private String words(double commanded, boolean grounded) {
+    private String words(double commanded) {
         String start = String.format(Locale.ROOT, "robot %s can't obey the command to drive at %.2f m/s: ",
             robot.getName(), commanded);
         if (blocker == null) {
-            return start + "its driven wheels" + (grounded ? "" : " hang and") + " have no ground below them. Lower the"
-                + " wheels, or raise what the robot rests on";
+            return start + "its driven wheels hang and have no ground below them. Lower the wheels, or raise what the "
+                + "robot rests on";
         }
         String name = blocker.name;
         String why = blocker.isFixed() ? ", which is fixed (mass 0), blocks it. If it should move, give it a mass: "

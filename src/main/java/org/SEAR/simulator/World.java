@@ -274,15 +274,10 @@ final class World implements PhysicsWorld.Touches {
      */
     void order(BodyOrder order) {
         if (order.kind == BodyOrder.Kind.GRAVITY) {
-            setGravity(0 - order.y);
+            physics.setGravity(0 - order.y);
             return;
         }
         orders.execute(order, moves.body(order.name));
-    }
-
-    private void setGravity(double gravity) {
-        physics.setGravity(gravity);
-        robots.forEach(robot -> robot.getTrain().setGravity(gravity));
     }
 
     /** See {@link Simulation#hold}. */

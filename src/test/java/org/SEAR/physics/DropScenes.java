@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.BodyRun;
 
@@ -84,7 +85,7 @@ final class DropScenes {
     /** Returns the energy per kg above the floor, J. */
     private static double energy(String cube, double size, BodyRun run) {
         double[] v = run.velocities(cube);
-        return PhysicsWorld.GRAVITY * run.pose(cube).y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2
+        return Gravity.EARTH * run.pose(cube).y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2
             + size * size / 12 * (v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
     }
 

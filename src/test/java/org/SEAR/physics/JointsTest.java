@@ -11,6 +11,7 @@ import java.util.List;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.FixedJoint;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Rope;
 import org.SEAR.POJOs.Shape;
@@ -22,7 +23,7 @@ import org.junit.Test;
 
 /** Joints against closed forms: pendulums, linkages, springs, motors, limits. */
 public class JointsTest {
-    private static final double G = PhysicsWorld.GRAVITY;
+    private static final double G = Gravity.EARTH;
     private static final double STEP = 1 / 60.0;
 
     /** Returns a bar of square section from one point to another in the plane z = 0. */

@@ -2,11 +2,11 @@
 package org.SEAR.robot.wheel;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RobotBodies;
-import org.SEAR.physics.PhysicsWorld;
 
 /**
  * Limits of a robot's wheels from its mass, its dimensions and gravity: motor force, grip of skid steering,
@@ -39,11 +39,12 @@ final class DriveForces {
     /** Distance of the centre of mass from the tipping edge, and its height above the ground, metres. */
     private final double room;
     private final double height;
-    private double ramp;
-    private double brakeRamp;
+    /** Present gravity, m/s^2. */
+    private final DoubleSupplier gravity;
 
     /** Sets the limits of wheels without a {@link MotorDrive}. */
-    DriveForces(Body of, List<RaycastWheel> wheels) {
+    DriveForces(Body of, List<RaycastWheel> wheels, DoubleSupplier gravity) {
+        this.gravity = gravity;
         Body body = RobotBodies.whole(of);
         List<RaycastWheel> driven = wheels.stream().filter(RaycastWheel::isDriven).collect(Collectors.toList());
         track = mean(driven, 1) + mean(driven, -1);
@@ -68,19 +69,17 @@ final class DriveForces {
         List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
         room = stands ? CentreOfMass.room(mass[0], mass[2], objects) : 0;
         height = Math.max(mass[1] - lowest, NO_TRACK);
-        setGravity(PhysicsWorld.GRAVITY);
-    }
-
-    /** @param gravity m/s^2, which limits the acceleration of a tall robot */
-    void setGravity(double gravity) {
-        double safe = stands ? Math.max(MIN_RAMP, TIPPING_SHARE * gravity * room / height) : Double.POSITIVE_INFINITY;
-        ramp = Math.min(RAMP, safe);
-        brakeRamp = stands ? Math.min(BRAKE_RAMP, safe) : RAMP;
     }
 
     /** Greatest change of speed at which a tall robot does not fall over, m/s^2. */
     double getRamp(boolean braking) {
-        return braking ? brakeRamp : ramp;
+        double most = braking && stands ? BRAKE_RAMP : RAMP;
+        return stands ? Math.min(most, Math.max(MIN_RAMP, TIPPING_SHARE * gravity() * room / height)) : most;
+    }
+
+    /** Present gravity, m/s^2. */
+    double gravity() {
+        return gravity.getAsDouble();
     }
 
     /** Returns the mean distance of the driven wheels on a side from the middle, metres; 0 without any. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.SEAR.geometry.TimeStep;
-import org.SEAR.physics.PhysicsWorld;
 
 /**
  * Commanded wheel speeds of a robot. Limits commands beyond its abilities, with one warning per kind, and approaches
@@ -23,7 +22,6 @@ final class DriveLimits {
     private boolean reportedTight;
     private boolean reportedSliding;
     private boolean braking;
-    private double gravity = PhysicsWorld.GRAVITY;
     private double left;
     private double right;
     private double commandedLeft;
@@ -46,12 +44,6 @@ final class DriveLimits {
         commandedRight = share * newRight;
         reportSliding((commandedLeft + commandedRight) / 2, turn(commandedLeft, commandedRight));
         braking = braking && newLeft == 0 && newRight == 0;
-    }
-
-    /** @param newGravity m/s^2, of which the grip depends */
-    void setGravity(double newGravity) {
-        gravity = newGravity;
-        forces.setGravity(newGravity);
     }
 
     /** Starts an emergency stop, until the next command that moves. */
@@ -106,7 +98,7 @@ final class DriveLimits {
      */
     void reportSliding(double speed, double turn) {
         double needed = Math.abs(speed * turn);
-        double held = gravity * wheels.stream().filter(RaycastWheel::isGrounded)
+        double held = forces.gravity() * wheels.stream().filter(RaycastWheel::isGrounded)
             .mapToDouble(wheel -> wheel.getGrip().getFriction())
             .max().orElse(Double.POSITIVE_INFINITY);
         if (needed > held && !reportedSliding) {

@@ -4,6 +4,7 @@ package org.SEAR.robot.wheel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
 import java.util.function.Function;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
@@ -51,10 +52,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
      * @param motors of the robot, which get their wheels here
      * @param errors of wheels, encoders and steering
      * @param servos by their names
+     * @param gravity present one, m/s^2, which limits acceleration and grip
      * @param reported takes warnings during the run
      */
     public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, WheelErrors errors,
-            Function<String, ServoDrive> servos, int owner, Consumer<String> reported) {
+            Function<String, ServoDrive> servos, int owner, DoubleSupplier gravity, Consumer<String> reported) {
         this.body = body;
         this.motors = motors;
         this.owner = owner;
@@ -76,7 +78,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             .mapToDouble(wheel -> wheel.z).average()
             .orElse(0);
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
-        forces = new DriveForces(body, wheels);
+        forces = new DriveForces(body, wheels, gravity);
         orders = new DriveLimits(body.name, wheels, forces, reported);
     }
 
@@ -84,11 +86,6 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     public void setSpeeds(double newLeft, double newRight) {
         orders.set(newLeft, newRight);
         motors.forEach(MotorDrive::follow);
-    }
-
-    /** @param gravity m/s^2, which limits acceleration and grip */
-    public void setGravity(double gravity) {
-        orders.setGravity(gravity);
     }
 
     /** Starts an emergency stop, until the next command that moves. */

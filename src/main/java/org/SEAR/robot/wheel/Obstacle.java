@@ -98,7 +98,12 @@ public final class Obstacle {
                 other.hold();
             }
         }
-        allowed = room > 0 ? -room / robot.seconds() : -CORRECTION * room;
+        allowed = allowed(room, robot.seconds());
+    }
+
+    /** Returns the least speed away from a surface that uses up the room before it, or corrects an overlap, m/s. */
+    static double allowed(double room, double seconds) {
+        return room > 0 ? -room / seconds : -CORRECTION * room;
     }
 
     /** @param v velocities of the robot's centre of mass, changed */

@@ -14,8 +14,6 @@ import org.SEAR.physics.SolverBody;
  * onto it. Simulation thread.
  */
 final class Wedge {
-    /** Rate of the position correction, 1/s. */
-    private static final double CORRECTION = 12;
     /** Square of the smallest difference of both normals. */
     private static final double MIN_SQUARE = 1e-4;
 
@@ -59,8 +57,7 @@ final class Wedge {
         SolverBody other = body.solver();
         row.set(along.x, along.y, along.z, axle.x, axle.y, axle.z, robot, other);
         row.impulse = 0;
-        double left = left(robot);
-        allowed = left > 0 ? -left / robot.seconds() : -CORRECTION * left;
+        allowed = Obstacle.allowed(left(robot), robot.seconds());
     }
 
     private double left(SolverBody robot) {

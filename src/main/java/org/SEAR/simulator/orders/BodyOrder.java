@@ -58,10 +58,6 @@ public final class BodyOrder {
      * @throws IllegalArgumentException that names value and legal range
      */
     public static BodyOrder gravity(double acceleration) {
-        if (!(acceleration >= 0 && acceleration <= Gravity.STRONGEST)) {
-            throw new IllegalArgumentException("gravity is " + acceleration + ", legal: 0 to " + Gravity.STRONGEST
-                + " m/s^2 downwards");
-        }
         return new BodyOrder(Kind.GRAVITY, WORLD, 0, 0 - acceleration, 0, 0);
     }
 
@@ -76,15 +72,15 @@ public final class BodyOrder {
         this.y = y;
         this.z = z;
         this.seconds = seconds;
+        if (kind == Kind.GRAVITY && !(x == 0 && z == 0 && y <= 0 && y >= -Gravity.STRONGEST)) {
+            throw new IllegalArgumentException("gravity is " + -y + (x == 0 && z == 0 ? "" : ", sideways " + x + " and "
+                + z) + ", legal: 0 to " + Gravity.STRONGEST + " m/s^2 downwards");
+        }
         for (double value : new double[] {x, y, z}) {
             if (!(Math.abs(value) <= kind.most)) {
                 throw new IllegalArgumentException(name + ": " + kind.name().toLowerCase() + " is " + value
                     + " along an axis, legal: " + -kind.most + " to " + kind.most + " " + kind.unit);
             }
-        }
-        if (kind == Kind.GRAVITY && (x != 0 || y > 0 || z != 0)) {
-            throw new IllegalArgumentException("gravity is " + -y + " m/s^2 downwards, " + x + " along x and " + z
-                + " along z, legal: 0 to " + Gravity.STRONGEST + " downwards, 0 along x and z");
         }
         if (kind == Kind.PUSH && !(seconds > 0 && seconds <= LONGEST)) {
             throw new IllegalArgumentException(name + ": push for " + seconds + " s, legal: above 0, at most "

@@ -11,11 +11,11 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.devices.ServoHardware;
-import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
@@ -88,7 +88,7 @@ public class ServoTorqueTest {
     private static Servo lift(double share) {
         Servo lift = new Servo("lift", 0, HEIGHT, 0, 0, 0, 90);
         lift.setSpeed(60);
-        Box weight = new Box("weight", 0.01, 0.01, 0.01, share * TORQUE / (PhysicsWorld.GRAVITY * 0.05));
+        Box weight = new Box("weight", 0.01, 0.01, 0.01, share * TORQUE / (Gravity.EARTH * 0.05));
         weight.move(0, HEIGHT, 0.05);
         lift.mount(weight);
         roomba(lift, weight);

@@ -72,10 +72,10 @@ def start(system, arguments):
 
 
 def text(system, stream):
-    """Returns the printed text, without Java 11's warning about jMonkeyEngine. Python's print writes UTF-8 everywhere,
-    Java the system's encoding."""
+    """Returns the printed text, without Java 11's warning about jMonkeyEngine and without reports of long work, which
+    depend on the computer's speed. Python's print writes UTF-8 everywhere, Java the system's encoding."""
     stream.seek(0)
-    data = re.sub(rb"(?m)^WARNING: .*(llegal|maintainers).*\n", b"", stream.read().replace(b"\r\n", b"\n"))
+    data = re.sub(rb"(?m)^(WARNING: .*(llegal|maintainers).*|.* \d+ s so far)\n", b"", stream.read().replace(b"\r\n", b"\n"))
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError:

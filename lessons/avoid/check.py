@@ -5,6 +5,7 @@ QUARTERS = 3
 
 def check(run):
     robot = run.robot
+    run.need(robot.length >= 1, "Your robot drove %.2f m; marks begin at 1 m." % robot.length)
     run.ask(run.seconds > 59, "Your robot was on its way for %.0f s; it is to drive for 60 s." % run.seconds)
     run.ask(not robot.bumps, "You bumped into something, %d times; the first time after %.1f s." % (len(robot.bumps), (list(robot.bumps) + [0])[0]))
     run.ask(robot.length >= METRES, "You drove %.1f m; %d m are asked." % (robot.length, METRES))

@@ -12,6 +12,7 @@ REACHED = 0.15
 
 def check(run):
     robot = run.robot
+    run.need(robot.length >= 0.5, "Your robot drove %.2f m; marks begin at 0.5 m." % robot.length)
     count = robot.reached(ROUND, REACHED)
     if run.ask(count == len(ROUND), "You came %d of 12 parts of the way round; all 12 are asked." % count):
         run.measure("seconds for a round", robot.when(ROUND, REACHED))

@@ -13,9 +13,11 @@ def around(row, column):
 
 def check(run):
     robot = run.robot
-    run.ask(not robot.bumps, "You bumped into something, %d times; the first time after %.1f s." % (len(robot.bumps), (list(robot.bumps) + [0])[0]))
     text = run.file("map.txt")
-    if not run.ask(text is not None, "There is no file map.txt, or it is larger than a megabyte."):
+    run.need(text is not None, "There is no file map.txt, or it is larger than a megabyte.")
+    run.need(text is None or "#" in text, "map.txt has no #, where a wall is.")
+    run.ask(not robot.bumps, "You bumped into something, %d times; the first time after %.1f s." % (len(robot.bumps), (list(robot.bumps) + [0])[0]))
+    if text is None:
         return
     grid = text.split()
     if not run.ask(len(grid) == SIZE and all(len(line) == SIZE for line in grid),

@@ -7,6 +7,7 @@ METRES, DEGREES, WAY = 0.1, 5, 5
 
 def check(run):
     robot = run.robot
+    run.need(robot.length >= 1, "Your robot drove %.2f m; marks begin at 1 m." % robot.length)
     run.ask("getPose" not in run.script, "Your script asks sear.getPose where it is; here it is to say so from its encoders alone.")
     run.ask(robot.length >= WAY, "Your robot drove %.1f m; drive all of WAY, more than %d m." % (robot.length, WAY))
     number = r"(-?[0-9]+(?:\.[0-9]+)?)"

@@ -12,6 +12,8 @@ def check(run):
     along = [z * cos(slope) + y * (1 - cos(slope) ** 2) ** 0.5 for y, z in zip(robot.y, robot.z)]
     distances = [WALL - EYE - one for one in along]
     times = list(robot.times)
+    nearer = distances[0] - min(distances)
+    run.need(nearer >= 0.1, "Your robot drove %.2f m up to the wall; marks begin at 0.1 m." % nearer)
     run.ask(run.seconds > 19, "Your robot was controlled for %.0f s; 20 s are asked." % run.seconds)
     last = [one for time, one in zip(times, distances) if time > times[-1] - 3]
     mean = sum(last) / len(last)

@@ -10,6 +10,7 @@ WANTED = 0.46
 
 def check(run):
     robot = run.robot
+    run.need(robot.length >= 1, "Your robot drove %.2f m; marks begin at 1 m." % robot.length)
     count = robot.reached(ROUND, REACHED)
     if run.ask(count == len(ROUND), "You came as far as %s; once round is asked." % ("the first wall" if count == 0 else NAMES[count - 1])):
         run.measure("seconds for a round", robot.when(ROUND, REACHED))

@@ -41,6 +41,7 @@ public final class LessonRun {
     private final String printed;
     private double seconds;
     private int asked;
+    private boolean begun = true;
 
     /**
      * Creates a run without data.
@@ -187,6 +188,22 @@ public final class LessonRun {
         return isThere;
     }
 
+    /**
+     * Checks a precondition, which is no requirement itself: as long as it is not met, no requirement counts as met. So
+     * a script that does nothing gets no points for not bumping.
+     *
+     * @param isThere whether it is met
+     * @param words report if it is not met: the measured and the needed value
+     * @return isThere
+     */
+    public boolean need(boolean isThere, String words) {
+        if (!isThere) {
+            begun = false;
+            missing.add(words);
+        }
+        return isThere;
+    }
+
     /** Stores a number for the table of marks. */
     public void measure(String what, double number) {
         measures.put(what, number);
@@ -197,7 +214,12 @@ public final class LessonRun {
         return asked;
     }
 
-    /** Returns the reports of requirements that were not met. */
+    /** Returns the number of requirements met; 0 if a precondition is not met. */
+    public int getMet() {
+        return begun ? asked - missing.size() : 0;
+    }
+
+    /** Returns the reports of preconditions and requirements that were not met. */
     public List<String> getMissing() {
         return missing;
     }

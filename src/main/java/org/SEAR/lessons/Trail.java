@@ -118,7 +118,7 @@ public final class Trail {
     }
 
     /**
-     * Returns whether the robot stands at the end: it hardly moved in the last half second, or not at all in a shorter
+     * Returns whether the robot stands at the end: it moved by at most 5 mm in the last 0.5 s, or in all of a shorter
      * run.
      */
     public boolean isStanding() {

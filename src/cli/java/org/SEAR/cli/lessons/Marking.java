@@ -141,8 +141,7 @@ final class Marking {
             return new Mark(of, kind == null ? Mark.Kind.NOTHING : kind, 0, 0, missing, Map.of());
         }
         kind = check(done, check, record, world, script, missing, kind);
-        int got = done.getAsked() - done.getMissing().size();
-        return new Mark(of, kind, got, done.getAsked(), missing, done.getMeasures());
+        return new Mark(of, kind, done.getMet(), done.getAsked(), missing, done.getMeasures());
     }
 
     private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, String script,

@@ -156,8 +156,28 @@ public class LessonChecksTest {
         for (String still : new String[] {"", "sear.driveStraight(0.2)\n", "sear.simSleep(2)\n"}) {
             String said = String.join("\n",
                 run("square", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n" + still).getMissing());
-            assertTrue(said, said.contains("Your robot never moved: ") && !said.contains("still moving"));
+            assertTrue(said, said.contains("Your robot drove 0.00 m: ") && !said.contains("still moving"));
         }
+    }
+
+    @Test
+    public void doingNothingGivesNoPoints() throws Exception {
+        for (Lesson lesson : Lesson.all()) {
+            String name = lesson.getName();
+            for (String nothing : new String[] {"", "sear.simSleep(" + new LessonCheck(lesson).getSeconds() + ")\n"}) {
+                LessonRun run = run(name, "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n" + nothing);
+                assertEquals(name + ", " + nothing + ": " + run.getMissing(), 0, run.getMet());
+                assertTrue(name, run.getAsked() > 0);
+            }
+            LessonRun right = run(name, solution(name));
+            assertEquals(name, right.getAsked(), right.getMet());
+        }
+        LessonRun answer = run("odometry", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n"
+            + "print('I am at x 0, z 0, heading 90')\n");
+        assertEquals(answer.getMissing().toString(), 0, answer.getMet());
+        LessonRun blank = run("map", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n"
+            + "open('map.txt', 'w').write('\\n'.join(['.' * 42] * 42))\n");
+        assertEquals(blank.getMissing().toString(), 0, blank.getMet());
     }
 
     @Test

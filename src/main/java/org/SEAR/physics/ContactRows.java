@@ -136,23 +136,16 @@ final class ContactRows {
         data[at + SECONDS] = of.seconds;
         data[at + FRICTION] = of.friction;
         data[at + RESTITUTION] = of.restitution;
-        double mx = 0;
-        double my = 0;
-        double mz = 0;
+        of.findMiddle();
         for (int i = 0; i < of.count; i++) {
-            mx += of.points[i].x / of.count;
-            my += of.points[i].y / of.count;
-            mz += of.points[i].z / of.count;
+            fill(at + POINTS + i * POINT, of, of.points[i]);
         }
-        for (int i = 0; i < of.count; i++) {
-            fill(at + POINTS + i * POINT, of, of.points[i], mx, my, mz);
-        }
-        FrictionRows.prepare(data, at + PATCH, of, mx, my, mz);
+        FrictionRows.prepare(data, at + PATCH, of, of.middle[0], of.middle[1], of.middle[2]);
         data[at + READY] = 0;
         data[at + IMPACT] = of.impact ? 1 : 0;
     }
 
-    private void fill(int at, Manifold of, Manifold.Point point, double mx, double my, double mz) {
+    private void fill(int at, Manifold of, Manifold.Point point) {
         double half = point.found / 2;
         PairRow.prepare(data, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny,
             point.z + half * of.nz);
@@ -160,9 +153,9 @@ final class ContactRows {
         data[at + BASE] = point.found - PairRow.along(data, at, of.a.moved, of.b.moved);
         data[at + GAP] = point.found;
         data[at + RESTITUTION_IMPULSE] = 0;
-        double dx = point.x - mx;
-        double dy = point.y - my;
-        double dz = point.z - mz;
+        double dx = point.x - of.middle[0];
+        double dy = point.y - of.middle[1];
+        double dz = point.z - of.middle[2];
         data[at + LEVER] = Math.sqrt(dx * dx + dy * dy + dz * dz);
         data[at + PENDING_RESTITUTION] = 0;
     }

@@ -80,6 +80,10 @@ final class Manifold {
     double leadB;
     /** Direction of the load for which the points were chosen, world frame, length 1; zeros if that does not matter. */
     private final double[] load = new double[3];
+    /** Middle of a base with more than four corners, otherwise of the points, world frame, metres. */
+    final double[] middle = new double[3];
+    /** Whether the base has more than four corners. */
+    private boolean manyCorners;
     /** From the middle of the points to the centre of pressure, metres. */
     private final double[] pressed = new double[3];
     /** Buffer for a lever arm. */
@@ -106,10 +110,29 @@ final class Manifold {
         rocks = !rolls && !bodyA.isRobot() && !bodyB.isRobot();
     }
 
-    /** Sets the direction of the load for which its points are chosen; null if that does not matter. */
-    void setLoad(double[] direction) {
+    /**
+     * Sets the direction of the load for which its points are chosen; null if that does not matter.
+     * @param ofBase middle of a base with more than four corners, world frame, metres; null for other bases
+     */
+    void setLoad(double[] direction, double[] ofBase) {
         for (int i = 0; i < 3; i++) {
             load[i] = direction == null ? 0 : direction[i];
+        }
+        manyCorners = ofBase != null;
+        if (manyCorners) {
+            System.arraycopy(ofBase, 0, middle, 0, middle.length);
+        }
+    }
+
+    /** Finds the middle of the points, unless the base has more than four corners: only some of them are points. */
+    void findMiddle() {
+        for (int axis = 0; axis < 3 && !manyCorners; axis++) {
+            middle[axis] = 0;
+        }
+        for (int i = 0; i < count && !manyCorners; i++) {
+            middle[0] += points[i].x / count;
+            middle[1] += points[i].y / count;
+            middle[2] += points[i].z / count;
         }
     }
 
@@ -152,24 +175,23 @@ final class Manifold {
         if (total <= 0 || load[0] == 0 && load[1] == 0 && load[2] == 0) {
             return false;
         }
-        double mx = 0;
-        double my = 0;
-        double mz = 0;
+        findMiddle();
         for (int i = 0; i < count; i++) {
-            mx += points[i].x / count;
-            my += points[i].y / count;
-            mz += points[i].z / count;
-        }
-        for (int i = 0; i < count; i++) {
-            double x = points[i].x - mx;
-            double y = points[i].y - my;
-            double z = points[i].z - mz;
+            double x = points[i].x - middle[0];
+            double y = points[i].y - middle[1];
+            double z = points[i].z - middle[2];
             furthest = Math.max(furthest, x * x + y * y + z * z);
             pressed[0] += points[i].impulse / total * x;
             pressed[1] += points[i].impulse / total * y;
             pressed[2] += points[i].impulse / total * z;
         }
-        return pressed[0] * pressed[0] + pressed[1] * pressed[1] + pressed[2] * pressed[2] > EDGE * EDGE * furthest;
+        double square = pressed[0] * pressed[0] + pressed[1] * pressed[1] + pressed[2] * pressed[2];
+        double extent = 0;
+        for (int i = 0; i < count && manyCorners; i++) {
+            extent = Math.max(extent, pressed[0] * (points[i].x - middle[0]) + pressed[1] * (points[i].y - middle[1])
+                + pressed[2] * (points[i].z - middle[2]));
+        }
+        return manyCorners ? square > EDGE * extent : square > EDGE * EDGE * furthest;
     }
 
     /**

@@ -337,7 +337,8 @@ final class NarrowPhase {
         manifold.nx = contacts.nx(point);
         manifold.ny = contacts.ny(point);
         manifold.nz = contacts.nz(point);
-        manifold.setLoad(clipper.isByLoad() ? load : null);
+        // each triangle of a mesh has only a part of the base
+        manifold.setLoad(clipper.isByLoad() ? load : null, b.isMesh() ? null : clipper.getMiddle());
         manifold.setSurfaces(a.solid.getSurface(), b.solid.getSurface());
         return manifold;
     }

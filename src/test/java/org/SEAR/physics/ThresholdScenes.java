@@ -2,11 +2,15 @@
 package org.SEAR.physics;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Locale;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
@@ -34,14 +38,17 @@ final class ThresholdScenes {
     private static final double HOLDS = 2e-4;
     private static final double STANDS = 0.05;
 
+    /** Sides of the prism. */
+    private static final int SIDES = 7;
+
     private ThresholdScenes() {
     }
 
     /** A kind of body that stands on its base. */
     enum Kind {
-        BOX(0.05, 0.2, 0.1), CYLINDER(0.05, 0.2, 0.1), CONE(0.04, 0.36, 0.09);
+        BOX(0.05, 0.2, 0.1), CYLINDER(0.05, 0.2, 0.1), CONE(0.04, 0.36, 0.09), PRISM(0.05, 0.2, 0.1);
 
-        /** Half of the base, height, and height of the centre of mass, metres. */
+        /** Half of the base (of a prism the radius of its incircle), height, height of the centre of mass, metres. */
         private final double half;
         private final double height;
         private final double centre;
@@ -52,9 +59,36 @@ final class ThresholdScenes {
             this.centre = centre;
         }
 
-        private Shape make() {
+        private Shape make(Stage stage) throws IOException {
+            if (this == PRISM) {
+                return prism(stage);
+            }
             return this == BOX ? new Box("thing", 2 * half, 2 * half, height, 1)
                 : this == CYLINDER ? new Cylinder("thing", half, height, 1) : new Cone("thing", half, height, 1);
+        }
+
+        /** Returns a prism with one edge of its base towards -x. */
+        private Shape prism(Stage stage) throws IOException {
+            StringBuilder obj = new StringBuilder();
+            StringBuilder sides = new StringBuilder();
+            StringBuilder base = new StringBuilder("f");
+            StringBuilder top = new StringBuilder("f");
+            for (int i = 0; i < SIDES; i++) {
+                double angle = Math.PI + 2 * Math.PI * (i + 0.5) / SIDES;
+                double radius = half / Math.cos(Math.PI / SIDES);
+                for (int k = -1; k <= 1; k += 2) {
+                    obj.append(String.format(Locale.ROOT, "v %.9f %.9f %.9f%n", radius * Math.cos(angle),
+                        k * height / 2, radius * Math.sin(angle)));
+                }
+                base.append(" ").append(2 * i + 1);
+                top.insert(1, " " + (2 * i + 2));
+                int next = (i + 1) % SIDES;
+                sides.append(String.format("f %d %d %d %d%n", 2 * i + 1, 2 * i + 2, 2 * next + 2, 2 * next + 1));
+            }
+            Path assets = Files.createDirectories(stage.folder().resolve("assets"));
+            Files.write(assets.resolve("prism.obj"), (obj + "" + sides + base + "\n" + top + "\n")
+                .getBytes(StandardCharsets.UTF_8));
+            return new Model("thing", "prism.obj", 1);
         }
 
         /**
@@ -63,6 +97,10 @@ final class ThresholdScenes {
          */
         private double tips(double yaw) {
             double turned = Math.toRadians(yaw);
+            if (this == PRISM) {
+                double side = 2 * Math.PI / SIDES;
+                return half / centre / Math.cos(turned - side * Math.round(turned / side));
+            }
             return half / centre / (this == BOX ? Math.max(Math.abs(Math.cos(turned)), Math.abs(Math.sin(turned))) : 1);
         }
     }
@@ -72,7 +110,7 @@ final class ThresholdScenes {
         Shape floor = onMesh ? MeshScenes.ground(stage, 8, 0) : new Floor("floor", 100, 100);
         floor.rotate(0, 0, degrees);
         floor.setFriction(Math.sqrt(friction));
-        Shape thing = kind.make();
+        Shape thing = kind.make(stage);
         thing.setFriction(Math.sqrt(friction));
         Pose pose = Pose.ofDegrees(0, 0, 0, 0, 0, degrees)
             .times(Pose.ofDegrees(0.07, kind.height / 2, 0.03, 0, yaw, 0));

@@ -3,12 +3,14 @@ import assert from 'node:assert/strict'
 import {test} from 'node:test'
 import {Edits} from '../../../resources/resource/WebGui/app/service/js/sear/build/edits.js'
 import {sizesOf} from '../../../resources/resource/WebGui/app/service/js/sear/build/handles.js'
-import {Joining, anglesOf, tautened} from '../../../resources/resource/WebGui/app/service/js/sear/build/joints.js'
+import {Joining, anglesOf, ends, pick, pointed, tautened} from
+    '../../../resources/resource/WebGui/app/service/js/sear/build/joints.js'
 import {mounted, tilted, withGround} from '../../../resources/resource/WebGui/app/service/js/sear/build/mounting.js'
 import * as places from '../../../resources/resource/WebGui/app/service/js/sear/build/places.js'
 import {besideBody, drivenWheels, wheelToTurn} from
     '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
 import {frame, rotate} from '../../../resources/resource/WebGui/app/service/js/sear/shared/geometry.js'
+import {find} from '../../../resources/resource/WebGui/app/service/js/sear/world/pointing.js'
 import {Listeners} from '../../../resources/resource/WebGui/app/service/js/sear/shared/listeners.js'
 import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
 
@@ -137,7 +139,7 @@ test('a selection that another page deletes ends with a message', () => {
 test('clicks choose the objects of a joint, and the ground is the world', () => {
     const world = {objects: [{name: 'door', pose: [1, 1, 0, 0, 0, 0], loose: true},
         {name: 'wall', pose: [0, 1, 0, 0, 0, 0]}], robots: []}
-    const on = (name, ...point) => ({who: name && {object: {name}}, ground: !name, robot: null, point})
+    const on = (name, ...point) => ({who: name && {address: name, object: {name}}, ground: !name, robot: null, point})
     const joining = new Joining()
     assert.equal(joining.click(on('door', 1, 1, 0.5)), false)
     assert.equal(joining.click(on('', 3, 0, 0)), true)
@@ -148,6 +150,36 @@ test('clicks choose the objects of a joint, and the ground is the world', () => 
     joining.second = 'wall'
     assert.match(joining.problem(world), /the world and wall are both fixed. Give one of them a mass/)
     assert.match(Object.assign(joining, {first: 'wall'}).problem(world), /needs two objects, and both are wall/)
+})
+
+test('two parts of one robot get a joint within it', () => {
+    const part = name => ({name, type: 'Box', pose: [0, 0.5, 0, 0, 0, 0], corners: []})
+    const robot = {name: 'rover', pose: [2, 0, 0, 0, 90, 0], parts: [part('body'), part('arm'),
+        {name: 'left', type: 'Wheel'}]}
+    const world = {objects: [], sensors: [], robots: [robot, {name: 'cart', pose: [0, 0, 0, 0, 0, 0], parts: []}],
+        joints: [{name: 'elbow', robot: 'rover', second: 'arm', pose: [2, 1, 0, 0, 0, 0], end: [2, 1, 0, 0, 0, 0]}]}
+    const on = (name, ...point) => ({who: {address: 'rover/' + name, robot: 'rover', object: {name}}, robot: 'rover',
+        point})
+    const joining = new Joining()
+    assert.equal(joining.click(on('body', 2, 0.1, 0)), false)
+    assert.equal(joining.click(on('arm', 3, 0.5, 0)), true)
+    assert.equal(joining.problem(world), '')
+    assert.equal(joining.robot(), 'rover')
+    assert.deepEqual(joining.values(world, 'Hinge', value => value), {first: 'body', second: 'arm', x: '0', y: '0.5',
+        z: '1'}, 'in the frame of the robot, which heads north')
+    Object.assign(joining, {first: 'rover', points: {}})
+    assert.deepEqual(joining.values(world, 'Slider', value => value), {second: 'arm', x: '0', y: '0.5', z: '0'})
+    assert.match(Object.assign(joining, {second: 'rover', first: 'rover/arm'}).problem(world), /one of its parts/)
+    assert.match(Object.assign(joining, {second: 'rover/arm'}).problem(world), /needs two objects/)
+    Object.assign(joining, {first: 'cart', second: 'rover/arm'})
+    assert.equal(joining.robot(), null)
+    assert.deepEqual(joining.values(world, 'Hinge', value => value).second, 'rover')
+    assert.deepEqual(ends(world), ['rover', 'cart', 'rover/body', 'rover/arm'])
+    assert.deepEqual(pick(world, at => ({x: at[0], y: at[2]}), 2, 0).who.address, 'rover/elbow')
+    assert.equal(find(world, 'rover/elbow').robot, robot)
+    assert.equal(find(world, 'elbow'), null)
+    const way = pointed([2, 1, 0, 0, 0, 0, 1], [3, 1, 0], false, find(world, 'rover').pose)
+    assert.deepEqual(way, {rx: '90', ry: '0', rz: '0'}, 'forward')
 })
 
 test('an axis points where its handle is dragged, and a taut rope stays taut', () => {

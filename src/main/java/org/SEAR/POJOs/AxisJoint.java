@@ -33,7 +33,7 @@ public abstract class AxisJoint extends Joint {
     @Param(doc = "speed of the motor at full power without load", unit = "deg/s or m/s", min = 1e-6, max = MOST_FORCE)
     private Double noLoadSpeed;
     @Param(doc = "name of another hinge, slider or rope whose position its own follows, by a gear; without it no gear",
-        text = TextRule.NAME)
+        text = TextRule.NAME, names = AxisJoint.class)
     private String gear;
     @Param(doc = "change of its position per change of the position of the joint that it follows; 1 if missing",
         unit = "deg or m per deg or m", min = -MOST, max = MOST)

@@ -8,7 +8,7 @@ import org.SEAR.grammar.TextRule;
 /** Force and torque that a joint exerts on its second object, along the sensor's axes. */
 @Described("force and torque that a joint exerts on its second object, at the joint, along the sensor's axes")
 public class ForceTorque extends SensorObject {
-    @Param(doc = "name of the joint", text = TextRule.NAME, required = true)
+    @Param(doc = "name of the joint", text = TextRule.NAME, required = true, names = Joint.class, needed = true)
     private String joint;
 
     /** For reading from a file. */

@@ -19,8 +19,7 @@ import org.SEAR.protocol.arduino.WireRole;
     + "servo at 0 degrees")
 public class Servo extends SearObject implements Wirable {
     /** Parts that a servo can turn, in words. */
-    public static final String TURNABLE = "a shape, a light, another servo, or a sensor except motion sensors and GPS";
-    private static final int MAX_PARTS = 100;
+    public static final String TURNABLE = MovedParts.LEGAL;
     private static final double HALF_RANGE = 90;
     private static final double SPEED = 400;
     /** Stall torque of a 9 g servo at 4.8 V (Tower Pro SG90: 1.8 kgf cm), N m. */
@@ -42,7 +41,7 @@ public class Servo extends SearObject implements Wirable {
     @Param(doc = "dead time of commands", unit = "s", max = 1)
     private double delay;
     @Param(doc = "name of a component of the same robot that it turns: " + TURNABLE,
-        element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MAX_PARTS)
+        element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MovedParts.MOST)
     private List<String> partNames = new ArrayList<>();
 
     /** For reading from a file. */
@@ -96,43 +95,13 @@ public class Servo extends SearObject implements Wirable {
      */
     public void mount(SearObject part) {
         checkChangeable();
-        if (part == null || !canTurn(part) || part == this) {
-            throw new IllegalArgumentException(
-                label() + ": " + (part == null ? "part is missing (None)" : part.label() + " can't be mounted")
-                + ", legal: " + TURNABLE);
-        }
-        if (part.getMover() != null) {
-            throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on "
-                + part.getMover().label()
-                + ", legal: a part that no servo turns yet");
-        }
-        for (SearObject one = this; one != null; one = one.getMover()) {
-            if (one == part) {
-                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: a part that "
-                    + "does not turn it");
-            }
-        }
-        if (robot() != null && part.robot() != null && robot() != part.robot()) {
-            throw new IllegalArgumentException(label() + ": " + part.label() + " is a part of " + part.robot().label()
-                + ", legal: a part of "
-                + robot().label());
-        }
-        if (partNames.size() >= MAX_PARTS) {
-            throw new IllegalArgumentException(label() + ": part is " + part.label() + ", legal: at most " + MAX_PARTS
-                + " parts");
-        }
-        partNames.add(part.getName());
-        part.setMover(this);
+        MovedParts.add(this, partNames, part);
         changed();
     }
 
     /** Returns whether a servo can turn a kind of component: not a wheel, nor a sensor of motion or position. */
     public static boolean canTurn(SearObject part) {
-        boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU
-            || part instanceof GPS
-            || part instanceof Odometer || part instanceof Wheel;
-        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo
-            || part instanceof Led);
+        return MovedParts.canMove(part);
     }
 
     /** Returns the names of the mounted components; a view. */

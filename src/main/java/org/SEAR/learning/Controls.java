@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Motor;
@@ -112,23 +113,30 @@ final class Controls {
         String parts = robot.getObject().getComponents().stream()
             .filter(part -> part instanceof Motor || part instanceof Servo)
             .map(part -> part.getName() + ", ").collect(Collectors.joining());
-        String joints = simulation.getProject().getJoints().stream().filter(joint -> JointControl.of(joint) != null)
+        String joints = joints().filter(joint -> JointControl.of(joint) != null)
             .map(joint -> joint.getName() + ", ").collect(Collectors.joining());
         throw new IllegalArgumentException("robot " + robotName() + " has no motor or servo \"" + name
             + "\" for actions, legal: " + parts + joints + "left and right, speed, steering");
     }
 
+    /** Returns the joints of the robot itself, then those of the environment. */
+    private Stream<Joint> joints() {
+        return Stream.concat(robot.getObject().getComponents().stream().filter(Joint.class::isInstance)
+            .map(Joint.class::cast), simulation.getProject().getJoints().stream());
+    }
+
     /** Returns the control of a joint, or of one quantity of it; null if there is no such joint with a motor. */
     private Control ofJoint(String name) {
-        for (Joint joint : simulation.getProject().getJoints()) {
+        for (Joint joint : (Iterable<Joint>) joints()::iterator) {
             JointControl control = JointControl.of(joint);
-            String ending = name.startsWith(joint.getName()) ? name.substring(joint.getName().length()) : "";
+            String own = joint.getName();
+            String ending = name.startsWith(own) ? name.substring(own.length()) : "";
             if (control != null && OF_JOINTS.containsKey(ending)) {
                 control = JointControl.of((AxisJoint) joint, OF_JOINTS.get(ending));
-            } else if (control == null || !name.equals(joint.getName())) {
+            } else if (control == null || !name.equals(own)) {
                 continue;
             }
-            return new Control(name, control.kind, joint.getName(), control.least, control.most);
+            return new Control(name, control.kind, joint.getFullName(), control.least, control.most);
         }
         return null;
     }

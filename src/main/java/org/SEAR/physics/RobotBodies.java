@@ -3,6 +3,7 @@ package org.SEAR.physics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
@@ -46,6 +47,16 @@ public final class RobotBodies {
     /** Whether a body is a link of a robot, not that of its frame. */
     public static boolean isLink(Body body) {
         return base(body) != body;
+    }
+
+    /** Whether something is true of one of a robot's bodies, which lie apart after a joint has broken. */
+    public static boolean isAny(Body of, Predicate<Body> condition) {
+        List<Body> links = of.getRobot().links;
+        boolean found = condition.test(of);
+        for (int i = 0; i < links.size() && !found; i++) {
+            found = condition.test(links.get(i));
+        }
+        return found;
     }
 
     /** Returns the bodies with each robot in one body. */

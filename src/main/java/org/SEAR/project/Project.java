@@ -75,9 +75,17 @@ public final class Project {
         return folder;
     }
 
-    /** Returns all joints, ordered by name. */
+    /** Returns the joints of the environment, ordered by name. */
     public List<Joint> getJoints() {
         return joints;
+    }
+
+    /** Returns the joints of the environment, and those within robots. */
+    public List<Joint> getAllJoints() {
+        List<Joint> all = new ArrayList<>(joints);
+        robots.forEach(robot -> robot.getComponents().stream().filter(Joint.class::isInstance)
+            .forEach(part -> all.add((Joint) part)));
+        return all;
     }
 
     /** Returns all environment objects but joints, ordered by name. */

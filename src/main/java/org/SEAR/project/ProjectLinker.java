@@ -7,10 +7,8 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Joint;
@@ -29,8 +27,6 @@ import org.SEAR.project.xml.ParsedObject;
 
 /** Links components to their robots and checks the relations between the objects of a project. One use. */
 final class ProjectLinker {
-    private static final int MAX_JOINTS = 1000;
-
     private final Map<String, ParsedObject> environment;
     private final Map<String, ParsedObject> parts;
     private final ProblemList problems;
@@ -68,8 +64,7 @@ final class ProjectLinker {
         checkGravity();
         checkPlaced();
         checkReferences();
-        checkJoints();
-        checkSensorsAtJoints();
+        new JointCheck(environment, parts, owners, problems).check();
     }
 
     private void linkRobot(ParsedObject parsed, SEARrobot robot) {
@@ -230,76 +225,6 @@ final class ProjectLinker {
         List<Joint> joints = new ArrayList<>();
         environment.values().stream().filter(p -> p.object instanceof Joint).forEach(p -> joints.add((Joint) p.object));
         return joints;
-    }
-
-    /** Checks that joints connect existing objects, of which one can move. */
-    private void checkJoints() {
-        if (joints().size() > MAX_JOINTS) {
-            problems.add(ProjectFolder.ENVIRONMENT, 0, "", "it has " + joints().size() + " joints", "at most "
-                + MAX_JOINTS);
-        }
-        for (ParsedObject parsed : environment.values()) {
-            if (parsed.object instanceof Joint) {
-                Joint joint = (Joint) parsed.object;
-                checkGear(parsed);
-                boolean movable = canMove(parsed, "first", joint.getFirst())
-                    | canMove(parsed, "second", joint.getSecond());
-                if (!movable && !problems.isFull()) {
-                    problems.add(parsed.file, parsed.line("second"), "second", joint.getSecond(),
-                        "an object that can move: this joint connects only"
-                        + " fixed ones, and setMass(kg) makes one movable");
-                }
-            }
-        }
-    }
-
-    /** Checks that a gear leads to an existing joint, and by its gears not back. */
-    private void checkGear(ParsedObject parsed) {
-        List<String> names = new ArrayList<>();
-        ParsedObject last = parsed;
-        while (last != null && last.object instanceof AxisJoint && ((AxisJoint) last.object).getGear() != null
-            && !names.contains(((AxisJoint) last.object).getGear())) {
-            names.add(((AxisJoint) last.object).getGear());
-            last = environment.get(((AxisJoint) last.object).getGear());
-        }
-        String name = names.isEmpty() ? null : names.get(0);
-        ParsedObject other = name == null ? null : environment.get(name);
-        if (name != null && (other == null || !other.isBroken() && !(other.object instanceof AxisJoint))) {
-            problems.add(parsed.file, parsed.line("gear"), "gear", name, "the name of a Hinge, Slider or Rope");
-        } else if (names.contains(((Joint) parsed.object).getName())) {
-            problems.add(parsed.file, parsed.line("gear"), "gear", name, "a joint that does not follow this one: "
-                + String.join(" follows ", names));
-        }
-    }
-
-    /** Checks that sensors at joints name one. */
-    private void checkSensorsAtJoints() {
-        for (ParsedObject parsed : owners.keySet()) {
-            if (parsed.object instanceof ForceTorque) {
-                String name = ((ForceTorque) parsed.object).getJoint();
-                ParsedObject joint = name == null ? null : environment.get(name);
-                if (name != null && (joint == null || !joint.isBroken() && !(joint.object instanceof Joint))) {
-                    problems.add(parsed.file, parsed.line("joint"), "joint", name, "the name of a joint");
-                }
-            }
-        }
-    }
-
-    /** Whether an end of a joint can move, or is invalid, which becomes a problem. */
-    private boolean canMove(ParsedObject joint, String element, String name) {
-        if (name == null) {
-            return false;
-        }
-        ParsedObject object = environment.get(name);
-        if (object != null && (object.isBroken() || object.object instanceof Shape)) {
-            return object.isBroken() || ((Shape) object.object).getMass() > 0;
-        }
-        ParsedObject robot = parts.get(name);
-        if (robot == null || !robot.isBroken() && !(robot.object instanceof SEARrobot)) {
-            problems.add(joint.file, joint.line(element), element, name, "the name of an object of the environment "
-                + "or of a robot");
-        }
-        return true;
     }
 
     /** Returns the Terrain; null if there is none. */

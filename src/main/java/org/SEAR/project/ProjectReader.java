@@ -164,7 +164,7 @@ final class ProjectReader {
 
     /**
      * Returns the classes that a folder may contain: environment has shapes but wheels, joints and gravity; robot all
-     * but joints, gravity, floors and terrains; a robot's own folder no robots either.
+     * but gravity, floors and terrains; a robot's own folder no robots either.
      */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
@@ -172,7 +172,6 @@ final class ProjectReader {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class
                 || Joint.class.isAssignableFrom(type) || type == Gravity.class;
             boolean part = type != Floor.class && type != Terrain.class && type != Gravity.class
-                && !Joint.class.isAssignableFrom(type)
                 && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);

@@ -111,7 +111,7 @@ final class VehicleCheck {
                     + robot.getName() + ": " + Servo.TURNABLE);
             } else if (other != null) {
                 problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
-            } else if (turnsItself(servo, robot)) {
+            } else if (new PartCarriers(robot.getComponents()).isCircular(robot.getComponents().indexOf(servo))) {
                 problems.add(parsed.file, line, "part", name, "a part that does not turn the servo itself");
             }
         }
@@ -125,18 +125,6 @@ final class VehicleCheck {
             problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot "
                 + robot.getName() + ": " + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
         }
-    }
-
-    /** Returns whether servos turn each other in a circle. */
-    private static boolean turnsItself(Servo servo, SEARrobot robot) {
-        Servo on = servo;
-        for (int i = 0; i <= robot.getComponents().size() && on != null; i++) {
-            String name = on.getName();
-            on = (Servo) robot.getComponents().stream()
-                .filter(one -> one instanceof Servo && ((Servo) one).getPartNames().contains(name))
-                .findFirst().orElse(null);
-        }
-        return on != null;
     }
 
     private static String driven(SEARrobot robot) {

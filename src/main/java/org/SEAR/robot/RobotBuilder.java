@@ -47,7 +47,7 @@ public final class RobotBuilder {
     final Dynamics dynamics;
     final List<Solid> wheelSolids = new ArrayList<>();
     public final Body body;
-    /** Parts that servos turn, as bodies of their own; each after those that carry it. */
+    /** Parts that servos and joints move, as bodies of their own; each after those that carry it. */
     public final List<RobotLink> links;
     final Stability stability;
     final Spring[] springs;
@@ -117,7 +117,7 @@ public final class RobotBuilder {
                 + "and start pose")));
     }
 
-    /** Returns the body of the parts that no servo turns, and makes those of the links. */
+    /** Returns the body of the parts that nothing moves, and makes those of the links. */
     private Body divide(Body whole, MassProperties own) {
         List<Solid> rest = new ArrayList<>(solids);
         links.forEach(link -> rest.removeAll(link.solids));
@@ -139,7 +139,7 @@ public final class RobotBuilder {
     }
 
     /**
-     * Returns the mass properties of the parts that no servo turns: what the mass of Dynamics leaves to them, or all of
+     * Returns the mass properties of the parts that nothing moves: what the mass of Dynamics leaves to them, or all of
      * it if the links weigh as much.
      */
     private MassProperties baseMasses(List<String> warnings) {
@@ -156,11 +156,17 @@ public final class RobotBuilder {
         double left = dynamics.getMass() - turned;
         if (left < MIN_SHARE * dynamics.getMass()) {
             left = dynamics.getMass();
-            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg in all: the parts on its servos weigh %s kg,"
+            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg in all: its moving parts weigh %s kg,"
                 + " and the mass of its Dynamics, %s kg, should include them", object.getName(),
                 Parameter.format(turned + left), Parameter.format(turned), Parameter.format(left)));
         }
         return masses(own, shares).withMass(left);
+    }
+
+    /** Returns the body of a shape. */
+    public Body bodyOf(SearObject shape) {
+        return links.stream().filter(link -> link.solids.contains(shapes.get(shape))).map(RobotLink::getBody)
+            .findFirst().orElse(body);
     }
 
     /** Returns the index of a component's solid in the whole body. */

@@ -6,53 +6,50 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.solid.MassProperties;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.project.PartCarriers;
 
 /**
- * Parts of a robot that one servo turns, as a body. Its frame is that of the robot while the servo is at 0 degrees, and
- * turns with the servo. Simulation thread.
+ * Parts of a robot that one servo or joint moves, as a body. Its frame is that of the robot while the servo or joint is
+ * at its start, and moves with it. Simulation thread.
  */
 public final class RobotLink {
-    /** Number that stands for no component. */
-    static final int NONE = -1;
-    /** Mass of the shapes on a servo if none of them has a mass, kg. */
+    /** Mass of the shapes of a link if none of them has a mass, kg. */
     private static final double LIGHT = 0.001;
     /** Smallest mass of a link as a share of the links that it carries: lighter ones can't be solved. */
     private static final double MIN_SHARE = 0.001;
 
-    /** Index of its servo among the components. */
-    final int servo;
-    /** Link that carries the servo; null for the robot's own body. */
+    /** Number of its servo or joint among the components. */
+    final int mover;
+    /** Link that carries it; null for the robot's own body. */
     final RobotLink carrier;
     /** Its shapes. */
     final List<Solid> solids = new ArrayList<>();
-    /** In the robot's frame with all servos at 0 degrees. */
+    /** In the robot's frame with all servos and joints at their start. */
     final MassProperties masses;
     private Body body;
 
-    private RobotLink(SEARrobot robot, int servo, RobotLink carrier, Map<SearObject, Solid> shapes) {
-        this.servo = servo;
+    private RobotLink(Parts parts, int mover, RobotLink carrier) {
+        this.mover = mover;
         this.carrier = carrier;
-        List<SearObject> parts = robot.getComponents();
         List<MassProperties> heavy = new ArrayList<>();
         List<MassProperties> light = new ArrayList<>();
-        for (int i = 0; i < parts.size(); i++) {
-            Solid solid = carrier(parts, i) == servo ? shapes.get(parts.get(i)) : null;
+        for (int i = 0; i < parts.all.size(); i++) {
+            Solid solid = parts.movers.mover(i) == mover ? parts.solid(i) : null;
             if (solid != null) {
                 solids.add(solid);
-                MassProperties unit = solid.perKilogram().inParent(ObjectPose.of(parts.get(i)).times(solid.offset));
-                double mass = ((Shape) parts.get(i)).getMass();
+                MassProperties unit = solid.perKilogram().inParent(parts.place(i));
+                double mass = ((Shape) parts.all.get(i)).getMass();
                 (mass > 0 ? heavy : light).add(unit.withMass(mass > 0 ? mass : solid.volume()));
             }
         }
         List<MassProperties> carried = new ArrayList<>();
-        weigh(robot, servo, shapes, carried);
+        parts.weigh(mover, carried);
         double least = carried.isEmpty() ? LIGHT : Math.max(LIGHT, MIN_SHARE * MassProperties.sum(carried).mass);
         MassProperties own = MassProperties.sum(!heavy.isEmpty() ? heavy : !light.isEmpty() ? light : carried);
         masses = own.withMass(heavy.isEmpty() ? least : Math.max(least, own.mass));
@@ -61,59 +58,69 @@ public final class RobotLink {
     /** Returns the links of a robot, each after the one that carries it. */
     static List<RobotLink> of(SEARrobot robot, Map<SearObject, Solid> shapes) {
         List<RobotLink> all = new ArrayList<>();
-        add(robot, NONE, null, shapes, all);
+        add(new Parts(robot, shapes), PartCarriers.NONE, null, all);
         return all;
     }
 
-    private static void add(SEARrobot robot, int on, RobotLink carrier, Map<SearObject, Solid> shapes,
-        List<RobotLink> all) {
-        List<SearObject> parts = robot.getComponents();
-        for (int i = 0; i < parts.size(); i++) {
-            if (parts.get(i) instanceof Servo && carrier(parts, i) == on && turnsShapes(robot, i, shapes)) {
-                RobotLink link = new RobotLink(robot, i, carrier, shapes);
+    private static void add(Parts parts, int on, RobotLink carrier, List<RobotLink> all) {
+        for (int i = 0; i < parts.all.size(); i++) {
+            if (parts.isCarriedBy(i, on) && parts.movesShapes(i)) {
+                RobotLink link = new RobotLink(parts, i, carrier);
                 all.add(link);
-                add(robot, i, link, shapes, all);
+                add(parts, i, link, all);
             }
         }
     }
 
-    /** Returns the index of the servo that turns a component; {@link #NONE} if none does. */
-    static int carrier(List<SearObject> parts, int part) {
-        for (int i = 0; i < parts.size(); i++) {
-            if (parts.get(i) instanceof Servo
-                && ((Servo) parts.get(i)).getPartNames().contains(parts.get(part).getName())) {
-                return i;
-            }
-        }
-        return NONE;
-    }
+    /** Components of a robot, and what moves them. */
+    private static final class Parts {
+        final List<SearObject> all;
+        final PartCarriers movers;
+        private final Map<SearObject, Solid> shapes;
 
-    /** Whether a servo, or one that it turns, turns a shape. */
-    private static boolean turnsShapes(SEARrobot robot, int servo, Map<SearObject, Solid> shapes) {
-        List<SearObject> parts = robot.getComponents();
-        for (int i = 0; i < parts.size(); i++) {
-            if (carrier(parts, i) == servo && (shapes.containsKey(parts.get(i))
-                || parts.get(i) instanceof Servo && turnsShapes(robot, i, shapes))) {
-                return true;
-            }
+        Parts(SEARrobot robot, Map<SearObject, Solid> shapes) {
+            all = robot.getComponents();
+            movers = new PartCarriers(all);
+            this.shapes = shapes;
         }
-        return false;
-    }
 
-    /** Collects the masses of all shapes that a servo's servos turn, in the robot's frame. */
-    private static void weigh(SEARrobot robot, int servo, Map<SearObject, Solid> shapes, List<MassProperties> into) {
-        List<SearObject> parts = robot.getComponents();
-        for (int i = 0; i < parts.size(); i++) {
-            if (carrier(parts, i) == servo && parts.get(i) instanceof Servo) {
-                for (int k = 0; k < parts.size(); k++) {
-                    Solid solid = carrier(parts, k) == i ? shapes.get(parts.get(k)) : null;
-                    if (solid != null) {
-                        double mass = Math.max(LIGHT, ((Shape) parts.get(k)).getMass());
-                        Pose place = ObjectPose.of(parts.get(k)).times(solid.offset);
-                        into.add(solid.perKilogram().withMass(mass).inParent(place));
-                    }
+        /** Returns the solid of a component; null for one without a shape. */
+        Solid solid(int part) {
+            return shapes.get(all.get(part));
+        }
+
+        /** Returns the pose of a component's solid in the robot's frame. */
+        Pose place(int part) {
+            return ObjectPose.of(all.get(part)).times(solid(part).offset);
+        }
+
+        /** Whether a component is a servo, or a joint that moves parts, and another one carries it. */
+        boolean isCarriedBy(int part, int mover) {
+            return movers.moves(part) && movers.carrier(part) == mover;
+        }
+
+        /** Whether a servo or joint, or one that it carries, moves a shape. */
+        boolean movesShapes(int mover) {
+            for (int i = 0; i < all.size(); i++) {
+                if (movers.mover(i) == mover && solid(i) != null || isCarriedBy(i, mover) && movesShapes(i)) {
+                    return true;
                 }
-                weigh(robot, i, shapes, into);
+            }
+            return false;
+        }
+
+        /** Collects the masses of all shapes that those move which a servo or joint carries, in the robot's frame. */
+        void weigh(int mover, List<MassProperties> into) {
+            for (int i = 0; i < all.size(); i++) {
+                if (isCarriedBy(i, mover)) {
+                    for (int k = 0; k < all.size(); k++) {
+                        if (movers.mover(k) == i && solid(k) != null) {
+                            double mass = Math.max(LIGHT, ((Shape) all.get(k)).getMass());
+                            into.add(solid(k).perKilogram().withMass(mass).inParent(place(k)));
+                        }
+                    }
+                    weigh(i, into);
+                }
             }
         }
     }

@@ -422,8 +422,8 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /**
-     * Pose of each component in the body frame; empty without servos, when the components stay at the poses of their
-     * objects. Immutable.
+     * Pose of each component in the body frame; empty without servos and joints, when the components stay at the poses
+     * of their objects. Immutable.
      */
     public List<Pose> getPartPoses() {
         return turrets.getPoses();

@@ -13,18 +13,19 @@ import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.joint.HingeJoint;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.project.PartCarriers;
 import org.SEAR.robot.servo.ServoDrive;
 import org.SEAR.sensors.Sensor;
 
 /**
- * Servos of one robot and the sensors and parts mounted on them. A servo that turns shapes is a hinge between two
- * bodies of the physics. Simulation thread.
+ * Servos of one robot, and the sensors and parts that they and the robot's joints move. A servo that turns shapes is a
+ * hinge between two bodies of the physics. Simulation thread.
  */
 final class ServoMounts {
     private final List<SearObject> parts;
     private final Body body;
     private final List<RobotLink> links;
-    /** Per component: its servo, or null; its link, or null; and the index of the servo that turns it, or NONE. */
+    /** Per component: its servo, or null; its link, or null; and the index of the servo or joint that moves it. */
     private final ServoDrive[] servos;
     private final RobotLink[] linkOf;
     private final int[] carriers;
@@ -48,29 +49,32 @@ final class ServoMounts {
         linkOf = new RobotLink[parts.size()];
         carriers = new int[parts.size()];
         homes = new Pose[parts.size()];
-        boolean found = false;
+        boolean found = !links.isEmpty();
+        PartCarriers movers = new PartCarriers(parts);
         for (int i = 0; i < servos.length; i++) {
             homes[i] = ObjectPose.of(parts.get(i));
-            carriers[i] = RobotLink.carrier(parts, i);
+            carriers[i] = movers.mover(i);
             if (parts.get(i) instanceof Servo) {
                 servos[i] = new ServoDrive((Servo) parts.get(i), robot.getName(), reported, holds);
                 found = true;
             }
         }
         any = found;
-        links.forEach(link -> linkOf[link.servo] = link);
+        links.forEach(link -> linkOf[link.mover] = link);
         if (any) {
             restart();
         }
     }
 
-    /** Adds the bodies and hinges of its servos to the physics. */
+    /** Adds the hinges of its servos to the physics. */
     void addTo(PhysicsWorld physics) {
         for (RobotLink link : links) {
-            Body carrier = carrier(link);
-            HingeJoint hinge = new HingeJoint(carrier.forJoints(), link.getBody().forJoints());
-            servos[link.servo].setHinge(hinge, () -> isTouched(link));
-            physics.add(hinge, true, carrier, link.getBody());
+            if (servos[link.mover] != null) {
+                Body carrier = carrier(link);
+                HingeJoint hinge = new HingeJoint(carrier.forJoints(), link.getBody().forJoints());
+                servos[link.mover].setHinge(hinge, () -> isTouched(link));
+                physics.add(hinge, true, carrier, link.getBody());
+            }
         }
     }
 
@@ -112,21 +116,25 @@ final class ServoMounts {
                 }
             }
             for (RobotLink link : links) {
-                link.getBody().setStart(carrier(link).getStart().times(servos[link.servo].turn()));
+                Pose start = carrier(link).getStart();
+                ServoDrive servo = servos[link.mover];
+                link.getBody().setStart(servo == null ? start : start.times(servo.turn()));
             }
             place();
         }
     }
 
-    /** Attaches the hinges to their bodies; after the physics has restarted. */
+    /** Attaches the hinges of servos to their bodies; after the physics has restarted. */
     void attach() {
         for (RobotLink link : links) {
-            servos[link.servo].attach(carrier(link).getPose(), link.getBody().getPose());
+            if (servos[link.mover] != null) {
+                servos[link.mover].attach(carrier(link).getPose(), link.getBody().getPose());
+            }
         }
     }
 
     /**
-     * Teleports the bodies of its servos along with the robot; the servos keep their angles.
+     * Teleports the bodies of its links along with the robot; servos and joints keep their positions.
      * @param start of the robot's body
      * @param to pose of the robot's body, which has not moved yet
      */
@@ -160,7 +168,9 @@ final class ServoMounts {
     /** Takes over the angles after a physics step. */
     void follow() {
         for (int i = 0; i < links.size(); i++) {
-            servos[links.get(i).servo].follow();
+            if (servos[links.get(i).mover] != null) {
+                servos[links.get(i).mover].follow();
+            }
         }
         if (!links.isEmpty()) {
             place();
@@ -170,19 +180,19 @@ final class ServoMounts {
     private void place() {
         Pose[] now = new Pose[homes.length];
         for (int i = 0; i < now.length; i++) {
-            now[i] = carriers[i] == RobotLink.NONE ? homes[i] : frame(carriers[i]).times(homes[i]);
+            now[i] = carriers[i] == PartCarriers.NONE ? homes[i] : frame(carriers[i]).times(homes[i]);
         }
         poses = List.of(now);
         sensors.forEach(this::follow);
     }
 
-    /** Returns the pose of a servo's parts in the robot's frame; the identity with all servos at 0 degrees. */
-    private Pose frame(int servo) {
-        if (linkOf[servo] != null) {
-            return within(linkOf[servo].getBody());
+    /** Returns the pose of moved parts in the robot's frame; the identity with all servos and joints at their start. */
+    private Pose frame(int mover) {
+        if (linkOf[mover] != null) {
+            return within(linkOf[mover].getBody());
         }
-        Pose own = servos[servo].turn();
-        return carriers[servo] == RobotLink.NONE ? own : frame(carriers[servo]).times(own);
+        Pose own = servos[mover].turn();
+        return carriers[mover] == PartCarriers.NONE ? own : frame(carriers[mover]).times(own);
     }
 
     private Pose within(Body link) {
@@ -198,14 +208,14 @@ final class ServoMounts {
 
     private void follow(Sensor<?> sensor) {
         int index = parts.indexOf(sensor.getParameters());
-        if (any && carriers[index] != RobotLink.NONE) {
+        if (any && carriers[index] != PartCarriers.NONE) {
             sensor.setMount(poses.get(index));
         }
     }
 
     /**
-     * Pose of each component in the body frame; empty without servos, when the components stay at the poses of their
-     * objects. Immutable.
+     * Pose of each component in the body frame; empty without servos and joints, when the components stay at the poses
+     * of their objects. Immutable.
      */
     List<Pose> getPoses() {
         return poses;

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SEARrobot;
@@ -46,7 +47,8 @@ public final class StartChecks {
      */
     public static void check(RobotModel robot, RaycastScenes scenes, List<String> warnings) {
         String name = robot.getObject().getName();
-        boolean moves = robot.getObject().getComponents().stream().anyMatch(part -> part instanceof Servo);
+        boolean moves = robot.getObject().getComponents().stream()
+            .anyMatch(part -> part instanceof Servo || part instanceof Joint);
         if (robot.getObject().getWheels().isEmpty() && !moves) {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");
         }

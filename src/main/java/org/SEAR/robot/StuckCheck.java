@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -91,7 +92,7 @@ final class StuckCheck {
         return start + name + why + blind(commanded);
     }
 
-    /** Returns that no distance sensor looks where the robot drives; empty if one does, or if servos turn them. */
+    /** Returns that no distance sensor looks where the robot drives; empty if one does, or if they may move. */
     private String blind(double commanded) {
         List<SearObject> parts = robot.getComponents();
         List<SearObject> sensors = parts.stream().filter(part -> part instanceof Distance || part instanceof LIDAR)
@@ -99,7 +100,8 @@ final class StuckCheck {
         double way = Math.signum(commanded);
         boolean seen = sensors.stream().anyMatch(part -> part instanceof LIDAR
             && ((LIDAR) part).getSpread() >= HALF_ROUND || way * direction(part)[2] > AHEAD);
-        if (sensors.isEmpty() || seen || parts.stream().anyMatch(part -> part instanceof Servo)) {
+        boolean moves = parts.stream().anyMatch(part -> part instanceof Servo || part instanceof Joint);
+        if (sensors.isEmpty() || seen || moves) {
             return "";
         }
         SearObject first = sensors.get(0);

@@ -50,7 +50,7 @@ final class Instruments {
         this.warnings = warnings;
         DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
-            robot.truth().setWrenches(joints::wrench);
+            robot.truth().setWrenches(joints.wrenches(robot.getObject().getName()));
             for (SearObject part : robot.getObject().getComponents()) {
                 if (types.isSensor(part)) {
                     Sensor<?> sensor = types.create(part, seed);

@@ -4,19 +4,23 @@ package org.SEAR.simulator;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.FixedJoint;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Rope;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Slider;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.project.PartCarriers;
 import org.SEAR.project.Project;
 
 /** Finds joints that can't move, and the reasons. Any thread. */
@@ -25,35 +29,63 @@ public final class JointAdvice {
     /** Distance and sine of the angle within which two axes are one, metres. */
     private static final double SAME_AXIS = 1e-3;
 
-    private final Project project;
-    /** For each object another one that fixed joints connect with it, directly or by others; the last one has none. */
+    private final List<Joint> joints;
+    /**
+     * For each object another one that fixed joints connect with it, directly or by others, and for each robot/part of
+     * a robot what it moves with; the last one has none.
+     */
     private final Map<String, String> held = new HashMap<>();
     private final Map<String, String> reasons = new LinkedHashMap<>();
 
     private JointAdvice(Project project) {
-        this.project = project;
+        joints = project.getAllJoints();
         project.getEnvironment().stream().filter(one -> !(one instanceof Shape && ((Shape) one).getMass() > 0))
             .forEach(one -> held.put(one.getName(), WORLD));
-        for (Joint joint : project.getJoints()) {
-            String first = group(joint.getFirst());
-            String second = group(joint.getSecond());
+        project.getRobots().forEach(this::addParts);
+        for (Joint joint : joints) {
+            String first = first(joint);
+            String second = second(joint);
             if (joint instanceof FixedJoint && joint.getBreakingForce() == null && !first.equals(second)) {
                 held.put(first.equals(WORLD) ? second : first, first.equals(WORLD) ? WORLD : second);
             }
         }
     }
 
+    /** Groups the parts of a robot that do not move against each other. */
+    private void addParts(SEARrobot robot) {
+        PartCarriers carriers = new PartCarriers(robot.getComponents());
+        for (int i = 0; i < robot.getComponents().size(); i++) {
+            int mover = carriers.mover(i);
+            held.put(robot.getName() + "/" + robot.getComponents().get(i).getName(), mover == PartCarriers.NONE
+                ? robot.getName() : robot.getName() + "/" + robot.getComponents().get(mover).getName() + "/moved");
+        }
+    }
+
     /** Returns the reason for each joint that can't move, by its name: text to follow the joint and "does not move". */
     public static Map<String, String> of(Project project) {
         JointAdvice advice = new JointAdvice(project);
-        project.getJoints().stream().filter(joint -> !(joint instanceof FixedJoint)).forEach(advice::consider);
-        for (Joint joint : project.getJoints()) {
+        advice.joints.stream().filter(joint -> !(joint instanceof FixedJoint)).forEach(advice::consider);
+        for (Joint joint : advice.joints) {
             String gear = joint instanceof AxisJoint ? ((AxisJoint) joint).getGear() : null;
-            if (advice.reasons.containsKey(gear)) {
-                advice.reasons.putIfAbsent(joint.getName(), "its gear follows " + gear + ", which does not move");
+            SEARrobot robot = Assembly.robotOf(joint);
+            boolean still = gear != null && advice.joints.stream().anyMatch(other -> other.getName().equals(gear)
+                && Assembly.robotOf(other) == robot && advice.reasons.containsKey(other.getFullName()));
+            if (still) {
+                advice.reasons.putIfAbsent(joint.getFullName(), "its gear follows " + gear + ", which does not move");
             }
         }
         return Collections.unmodifiableMap(advice.reasons);
+    }
+
+    private String first(Joint joint) {
+        SEARrobot robot = Assembly.robotOf(joint);
+        return group(robot == null ? joint.getFirst() : joint.getFirst() == null ? robot.getName()
+            : robot.getName() + "/" + joint.getFirst());
+    }
+
+    private String second(Joint joint) {
+        SEARrobot robot = Assembly.robotOf(joint);
+        return group(robot == null ? joint.getSecond() : robot.getName() + "/" + joint.getSecond());
     }
 
     private String group(String name) {
@@ -64,22 +96,24 @@ public final class JointAdvice {
         return last;
     }
 
-    private static String called(String name) {
-        return name == null ? "the world" : name;
+    /** Returns the name of a joint's first object, or what it is without one. */
+    private static String firstName(Joint joint) {
+        return joint.getFirst() != null ? joint.getFirst() : Assembly.robotOf(joint) == null ? "the world"
+            : "the robot's body";
     }
 
     private void consider(Joint joint) {
         String why = joint instanceof AxisJoint ? ofAxis((AxisJoint) joint) : null;
-        if (group(joint.getFirst()).equals(group(joint.getSecond()))) {
-            why = "a fixed joint holds " + called(joint.getFirst()) + " and " + joint.getSecond() + " together";
+        if (first(joint).equals(second(joint))) {
+            why = "a fixed joint holds " + firstName(joint) + " and " + joint.getSecond() + " together";
         }
-        for (Joint other : project.getJoints()) {
+        for (Joint other : joints) {
             if (why == null && isBlocked(joint, other)) {
                 why = other.getName() + " joins the same objects along or about another axis";
             }
         }
         if (why != null) {
-            reasons.put(joint.getName(), why);
+            reasons.put(joint.getFullName(), why);
         }
     }
 
@@ -94,9 +128,9 @@ public final class JointAdvice {
 
     /** Whether another joint of the same objects stops a hinge or a slider. */
     private boolean isBlocked(Joint joint, Joint other) {
-        Set<String> ends = Set.of(group(joint.getFirst()), group(joint.getSecond()));
-        boolean same = other != joint && !group(other.getFirst()).equals(group(other.getSecond()))
-            && ends.equals(Set.of(group(other.getFirst()), group(other.getSecond())));
+        Set<String> ends = Set.of(first(joint), second(joint));
+        boolean same = other != joint && !first(other).equals(second(other))
+            && Assembly.robotOf(joint) == Assembly.robotOf(other) && ends.equals(Set.of(first(other), second(other)));
         boolean guided = joint instanceof Hinge || joint instanceof Slider;
         if (!same || !guided || other instanceof Rope || other instanceof FixedJoint) {
             return false;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
@@ -49,6 +50,7 @@ final class World implements PhysicsWorld.Touches {
     private static final int MAX_CONTACTS = 256;
 
     private final PhysicsWorld physics = new PhysicsWorld();
+    private final Predicate<Body> awake = physics::isAwake;
     private final double startGravity;
     private final RaycastScenes scenes;
     private final List<Body> environment = new ArrayList<>();
@@ -70,6 +72,8 @@ final class World implements PhysicsWorld.Touches {
     private final Teleports moves;
     private final BodyOrders orders = new BodyOrders();
     private final WorldJoints joints;
+    /** Bodies of the shapes of robots. Only looked up, never iterated. */
+    private final Map<SearObject, Body> bodies = new IdentityHashMap<>();
 
     /**
      * Builds the world of a project.
@@ -109,7 +113,7 @@ final class World implements PhysicsWorld.Touches {
             add(builder, Earth.of(project, robot), epochMillis, colors, reported);
         }
         places.end();
-        joints = new WorldJoints(project, physics, reported);
+        joints = new WorldJoints(project, physics, bodies, reported);
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this, reported);
@@ -142,6 +146,7 @@ final class World implements PhysicsWorld.Touches {
         Consumer<String> reported) {
         shapes.putAll(builder.shapes);
         builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
+        builder.shapes.keySet().forEach(part -> bodies.put(part, builder.bodyOf(part)));
         builder.addTo(scenes, robots.size());
         RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), earth, epochMillis, workers);
         truth.setGravity(physics::getGravity);
@@ -325,7 +330,7 @@ final class World implements PhysicsWorld.Touches {
         }
         for (int i = 0; i < robots.size(); i++) {
             RobotModel robot = robots.get(i);
-            robot.follow(physics.isAwake(robot.getBody()));
+            robot.follow(RobotBodies.isAny(robot.getBody(), awake));
         }
         contacts.clear();
         if (wantsContacts || !robots.isEmpty()) {
@@ -341,7 +346,7 @@ final class World implements PhysicsWorld.Touches {
     void observe(long step) {
         for (int i = 0; i < robots.size(); i++) {
             RobotModel robot = robots.get(i);
-            robot.truth().update(step, physics.isAwake(robot.getBody()));
+            robot.truth().update(step, RobotBodies.isAny(robot.getBody(), awake));
         }
     }
 

@@ -4,23 +4,28 @@ package org.SEAR.simulator;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.FixedJoint;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Rope;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Slider;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.joint.DistanceJoint;
 import org.SEAR.physics.joint.GearJoint;
 import org.SEAR.physics.joint.HingeJoint;
@@ -29,6 +34,7 @@ import org.SEAR.physics.joint.JointAxis;
 import org.SEAR.physics.joint.JointedBody;
 import org.SEAR.physics.joint.SliderJoint;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.project.PartNames;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
@@ -45,6 +51,9 @@ public final class WorldJoints {
 
     private final List<Made> all = new ArrayList<>();
     private final Map<String, Made> named = new TreeMap<>();
+    /** Joints within robots. */
+    private final PartNames<Made> inRobots = new PartNames<>();
+    private final Map<String, Map<String, Made>> ofRobots = new HashMap<>();
     private final List<GearJoint> gears = new ArrayList<>();
     /** Joints that can break and have not yet. */
     private final List<Made> breakable = new ArrayList<>();
@@ -54,6 +63,7 @@ public final class WorldJoints {
     private static final class Made {
         final org.SEAR.POJOs.Joint object;
         final Joint joint;
+        /** Bodies that it joins; the first one is null for the world. */
         final Body first;
         final Body second;
         /** Frame of the joint in each object, that of the world without a first object. */
@@ -62,14 +72,18 @@ public final class WorldJoints {
         /** Converts positions to metres or radians. */
         final double unit;
 
-        Made(org.SEAR.POJOs.Joint object, Joint joint, Map<String, Body> bodies, Map<String, Pose> written) {
+        /**
+         * @param firstFrame frame of the first object, where the joint's pose is written
+         * @param secondFrame frame of the second object
+         */
+        Made(org.SEAR.POJOs.Joint object, Body first, Pose firstFrame, Body second, Pose secondFrame) {
             this.object = object;
-            this.joint = joint;
-            first = object.getFirst() == null ? null : bodies.get(object.getFirst());
-            second = bodies.get(object.getSecond());
+            this.first = first;
+            this.second = second;
+            joint = make(object, first == null ? null : first.forJoints(), second.forJoints());
             Pose frame = ObjectPose.of(object);
-            onFirst = first == null ? frame : inFrame(written.get(object.getFirst()), frame);
-            onSecond = inFrame(written.get(object.getSecond()), object instanceof Rope ? end((Rope) object) : frame);
+            onFirst = inFrame(firstFrame, frame);
+            onSecond = inFrame(secondFrame, object instanceof Rope ? end((Rope) object) : frame);
             unit = object instanceof Hinge ? Math.toRadians(1) : 1;
         }
     }
@@ -77,33 +91,54 @@ public final class WorldJoints {
     /**
      * Makes the joints of a project and adds them to the physics.
      * @param physics has all bodies
+     * @param parts bodies of the shapes of robots
      * @param reported receives the joints that break
      */
-    WorldJoints(Project project, PhysicsWorld physics, Consumer<String> reported) {
+    WorldJoints(Project project, PhysicsWorld physics, Map<SearObject, Body> parts, Consumer<String> reported) {
         this.reported = reported;
         Map<String, Body> bodies = new HashMap<>();
         physics.getBodies().forEach(body -> bodies.putIfAbsent(body.name, body));
         Map<String, Pose> written = new HashMap<>();
+        written.put(null, Pose.IDENTITY);
         project.getEnvironment().forEach(thing -> written.put(thing.getName(), ObjectPose.of(thing)));
         project.getRobots().forEach(robot -> written.put(robot.getName(), StartPose.of(robot)));
         for (org.SEAR.POJOs.Joint object : project.getJoints()) {
-            Body first = object.getFirst() == null ? null : bodies.get(object.getFirst());
-            Body second = bodies.get(object.getSecond());
-            Joint joint = make(object, first == null ? null : first.forJoints(), second.forJoints());
-            Made made = new Made(object, joint, bodies, written);
-            all.add(made);
-            named.put(object.getName(), made);
-            physics.add(joint, object.isCollide(), first, second);
-            if (object.getBreakingForce() != null) {
-                joint.setBreakingForce(object.getBreakingForce());
-            }
+            add(new Made(object, bodies.get(object.getFirst()), written.get(object.getFirst()),
+                bodies.get(object.getSecond()), written.get(object.getSecond())), object.isCollide(), physics);
         }
-        all.stream().filter(made -> made.object instanceof AxisJoint && ((AxisJoint) made.object).getGear() != null)
-            .forEach(made -> addGear(made, physics));
+        for (SEARrobot robot : project.getRobots()) {
+            Map<String, Made> own = new LinkedHashMap<>();
+            ofRobots.put(robot.getName(), own);
+            robot.getComponents().stream().filter(part -> part instanceof org.SEAR.POJOs.Joint).forEach(part -> {
+                org.SEAR.POJOs.Joint object = (org.SEAR.POJOs.Joint) part;
+                Body first = object.getFirst() == null ? bodies.get(robot.getName())
+                    : parts.get(robot.getPart(object.getFirst()));
+                Made made = new Made(object, first, Pose.IDENTITY, parts.get(robot.getPart(object.getSecond())),
+                    Pose.IDENTITY);
+                add(made, true, physics);
+                own.put(object.getName(), made);
+                inRobots.add(robot.getName(), object.getName(), made);
+            });
+            own.values().forEach(made -> addGear(made, own, physics));
+        }
+        project.getJoints().forEach(object -> addGear(named.get(object.getName()), named, physics));
     }
 
-    private void addGear(Made made, PhysicsWorld physics) {
-        Made other = named.get(((AxisJoint) made.object).getGear());
+    private void add(Made made, boolean collide, PhysicsWorld physics) {
+        all.add(made);
+        named.put(made.object.getFullName(), made);
+        physics.add(made.joint, collide, made.first, made.second);
+        if (made.object.getBreakingForce() != null) {
+            made.joint.setBreakingForce(made.object.getBreakingForce());
+        }
+    }
+
+    /** @param by joints that it may follow, by their names */
+    private void addGear(Made made, Map<String, Made> by, PhysicsWorld physics) {
+        if (!(made.object instanceof AxisJoint) || ((AxisJoint) made.object).getGear() == null) {
+            return;
+        }
+        Made other = by.get(((AxisJoint) made.object).getGear());
         GearJoint gear = new GearJoint((org.SEAR.physics.joint.AxisJoint) made.joint,
             (org.SEAR.physics.joint.AxisJoint) other.joint,
             ((AxisJoint) made.object).getRatio() * made.unit / other.unit);
@@ -111,9 +146,10 @@ public final class WorldJoints {
         physics.add(gear, true, made.first, made.second, other.first, other.second);
     }
 
-    /** Whether an unbroken joint holds a body. */
+    /** Whether an unbroken joint holds a body, or it is a link of a robot. */
     boolean holds(Body body) {
-        return all.stream().anyMatch(made -> !made.joint.isBroken() && (made.first == body || made.second == body));
+        return RobotBodies.isLink(body)
+            || all.stream().anyMatch(made -> !made.joint.isBroken() && (made.first == body || made.second == body));
     }
 
     private static Joint make(org.SEAR.POJOs.Joint object, JointedBody first, JointedBody second) {
@@ -257,7 +293,8 @@ public final class WorldJoints {
 
     /** Whether a joint of this name has a reading. Any thread. */
     public boolean isRead(String name) {
-        return named.containsKey(name) && named.get(name).object instanceof AxisJoint;
+        Made made = find(name);
+        return made != null && made.object instanceof AxisJoint;
     }
 
     /**
@@ -294,13 +331,21 @@ public final class WorldJoints {
      */
     public double[] wrench(String name) {
         double[] wrench = new double[6];
-        wrench(name, wrench);
+        found(name).joint.wrench(wrench, TimeStep.SECONDS);
         return wrench;
     }
 
-    /** Copies the numbers of {@link #wrench(String)}. */
-    void wrench(String name, double[] into) {
-        found(name).joint.wrench(into, TimeStep.SECONDS);
+    /** Returns a function that copies the numbers of {@link #wrench(String)}, for the sensors of a robot. */
+    BiConsumer<String, double[]> wrenches(String robot) {
+        Map<String, Made> own = ofRobots.get(robot);
+        return (name, into) -> (own.containsKey(name) ? own.get(name) : found(name)).joint
+            .wrench(into, TimeStep.SECONDS);
+    }
+
+    /** Returns a joint by its name, or by robot/name within a robot; null for an unknown name. */
+    private Made find(String name) {
+        Made made = named.get(name);
+        return made == null ? inRobots.find(name) : made;
     }
 
     private Made axisJoint(String name) {
@@ -312,7 +357,7 @@ public final class WorldJoints {
     }
 
     private Made found(String name) {
-        Made made = named.get(name);
+        Made made = find(name);
         if (made == null) {
             throw new IllegalArgumentException("no joint is called \"" + name + "\", legal: "
                 + (named.isEmpty() ? "none, the project has no joint" : String.join(" ", named.keySet())));

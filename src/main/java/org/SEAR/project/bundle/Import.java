@@ -187,9 +187,8 @@ final class Import {
         copyJoints(renamed, prefix, robot.getName()::equals);
         Iterator<String> file = files.values().iterator();
         for (SearObject part : components) {
-            if (part instanceof ForceTorque) {
-                set(part, "joint", renamed::get);
-            }
+            ParameterTable.of(part.getClass()).getParameters().stream().filter(one -> !one.getNamed().isEmpty())
+                .forEach(one -> set(part, one.getName(), name -> renamed.getOrDefault(name, name)));
             writePart(part, renamed.get(part.getName()), file.next(), prefix);
         }
         write(robot, ProjectFolder.ROBOT, robotName, prefix);

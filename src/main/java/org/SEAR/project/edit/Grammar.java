@@ -81,7 +81,7 @@ public final class Grammar {
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
         return type != Floor.class && type != Terrain.class && type != SEARrobot.class
-            && !Joint.class.isAssignableFrom(type) && type != Gravity.class;
+            && type != Gravity.class;
     }
 
     /** Returns the unit of a parameter; joints with one class for several kinds have that of a hinge first. */

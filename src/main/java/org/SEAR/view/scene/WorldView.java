@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -30,7 +31,7 @@ public final class WorldView {
     private final List<Node> environment = new ArrayList<>();
     private final List<Node> robots = new ArrayList<>();
     private final List<List<Node>> wheels = new ArrayList<>();
-    /** Component nodes of each robot with servos; empty for others. */
+    /** Component nodes of each robot with servos or joints; empty for others. */
     private final List<List<Node>> parts = new ArrayList<>();
     private final List<List<Bulb>> lights = new ArrayList<>();
     private final List<BeamView> beams = new ArrayList<>();
@@ -75,7 +76,7 @@ public final class WorldView {
     /** Returns the component nodes. The builder attaches them in order. */
     private static List<Node> parts(SEARrobot robot, Node node) {
         List<Node> all = new ArrayList<>();
-        if (robot.getComponents().stream().anyMatch(part -> part instanceof Servo)) {
+        if (robot.getComponents().stream().anyMatch(part -> part instanceof Servo || part instanceof Joint)) {
             node.getChildren().forEach(child -> all.add((Node) child));
         }
         return all;

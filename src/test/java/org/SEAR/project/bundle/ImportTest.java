@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
@@ -84,6 +85,24 @@ public class ImportTest {
         assertEquals("pin_2", renamed.get("pin"));
         assertEquals("[BallJoint \"hook\" stays behind: the import does not copy rover, which it joins, "
             + "Hinge \"mast\" stays behind: the import does not copy rover, which it joins]", said.toString());
+    }
+
+    @Test
+    public void jointsWithinARobotComeWithItsParts() throws Exception {
+        project.put("robot/rover.xml", project.text("robot/rover.xml").replace("<component>eye</component>",
+            "<component>eye</component><component>arm</component><component>pivot</component>"));
+        project.put("robot/arm.xml", project.text("environment/crate.xml").replace("crate", "arm"));
+        project.put("robot/pivot.xml", "<Hinge><name>pivot</name><second>arm</second><part>eye</part></Hinge>");
+        Bundle.save(project.folder(), bundle);
+        project.put("robot/rover.xml", project.text("robot/rover.xml")
+            .replace("<component>arm</component><component>pivot</component>", ""));
+        Files.delete(project.folder().resolve("robot/arm.xml"));
+        Files.delete(project.folder().resolve("robot/pivot.xml"));
+        project.put("environment/arm.xml", project.text("environment/crate.xml").replace("crate", "arm"));
+        Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover", saying(new ArrayList<>()));
+        assertEquals("the world has an arm", "arm_2", renamed.get("arm"));
+        Joint pivot = read().getAllJoints().get(0);
+        assertEquals("arm_2 [eye]", pivot.getSecond() + " " + pivot.getPartNames());
     }
 
     @Test

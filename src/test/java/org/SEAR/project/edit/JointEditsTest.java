@@ -116,6 +116,35 @@ public class JointEditsTest extends EditedProject {
             JointAdvice.of(Project.read(project.folder())).get("bolt"));
     }
 
+    @Test
+    public void jointsWithinARobotFollowItsParts() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        for (String part : new String[] {"arm", "hand"}) {
+            edit("do", "add", "type", "Box", "name", part, "to", "rover", "set", Map.of("length", 1, "width", 1,
+                "height", 1));
+        }
+        edit("do", "add", "type", "Hinge", "name", "shoulder", "to", "rover", "set", Map.of("second", "arm"));
+        edit("do", "add", "type", "Slider", "name", "wrist", "to", "rover", "set", Map.of("first", "arm", "second",
+            "hand", "gear", "shoulder"));
+        edit("do", "rename", "object", "rover/arm", "name", "boom");
+        edit("do", "rename", "object", "shoulder", "name", "mast");
+        assertEquals("boom boom mast", value("mast", "second") + " " + value("wrist", "first") + " "
+            + value("wrist", "gear"));
+        Project read = Project.read(project.folder());
+        assertEquals("[Hinge \"mast\", Slider \"wrist\"]", read.getAllJoints().toString());
+        assertTrue(read.getJoints().isEmpty());
+        edit("do", "set", "object", "wrist", "set", Map.of("lower", "1", "upper", "1"));
+        edit("do", "set", "object", "mast", "set", Map.of("x", "0.5"));
+        edit("do", "add", "type", "Hinge", "name", "second", "to", "rover", "set", Map.of("second", "boom"));
+        assertEquals("{mast=second joins the same objects along or about another axis, second=mast joins the same "
+            + "objects along or about another axis, wrist=its lower and its upper limit are both 1}",
+            new TreeMap<>(JointAdvice.of(Project.read(project.folder()))).toString());
+        String said = assertThrows(ProjectException.class, () -> edit("do", "unmount", "object", "rover/wrist"))
+            .getMessage();
+        assertTrue(said, said.contains("first is \"boom\", legal: the name of an object of the environment or of a "
+            + "robot; robot.addComponent(joint) makes it a joint within a robot"));
+    }
+
     private void wrongGear(String name, String legal) {
         String said = assertThrows(ProjectException.class,
             () -> edit("do", "set", "object", "bolt", "set", Map.of("gear", name))).getMessage();

@@ -253,14 +253,15 @@ public class ServoTest {
         Distance ping = new Distance("ping");
         neck.mount(ping);
         neck.mount(second);
-        said("Servo \"second\": Distance \"ping\" is mounted on Servo \"neck\", legal: a part that no servo turns yet",
+        said("Servo \"second\": Distance \"ping\" is mounted on Servo \"neck\", legal: a part that no servo "
+            + "or joint moves yet",
             () -> second.mount(ping));
         said("Servo \"second\": Servo \"neck\" turns it, legal: a part that does not turn it",
             () -> second.mount(neck));
-        said("Servo \"neck\": Gyroscope \"gyro\" can't be mounted, legal: a shape, a light, another servo, or a sensor "
+        said("Servo \"neck\": Gyroscope \"gyro\" can't be mounted, legal: a shape, a light, a servo, or a sensor "
             + "except motion sensors and GPS",
             () -> neck.mount(new Gyroscope("gyro")));
-        said("Servo \"neck\": part is missing (None), legal: a shape, a light, another servo, or a sensor except "
+        said("Servo \"neck\": part is missing (None), legal: a shape, a light, a servo, or a sensor except "
             + "motion sensors and GPS",
             () -> neck.mount(null));
         said("Servo \"neck\": minAngle is 20, legal: less than maxAngle, which is 10 deg", () -> neck.setRange(20, 10));
@@ -279,7 +280,7 @@ public class ServoTest {
         ProjectException problem = assertThrows(ProjectException.class, () -> Worlds.start(project));
         assertTrue(problem.getMessage(), problem.getMessage()
             .contains("part is \"loose\", legal: the name of a component of the servo's robot"
-            + " roomba: a shape, a light, another servo, or a sensor except motion sensors and GPS"));
+            + " roomba: a shape, a light, a servo, or a sensor except motion sensors and GPS"));
     }
 
     private static void said(String message, ThrowingRunnable wrong) {

@@ -29,6 +29,14 @@ public class JointsTabTest {
         "door = Box('door', 0.8, 0.1, 2, 20)",
         "door.move(0.4, 1.1, 0)",
         "Box('wall', 0.2, 0.2, 2).move(0, 1, 2)");
+    private static final String CRANE = String.join("\n",
+        "from org.SEAR.POJOs import Box, Dynamics, Floor, SEARrobot",
+        "sear.newProject()",
+        "Floor('floor', 6, 6)",
+        "crane = SEARrobot('crane')",
+        "crane.addComponent(Dynamics('mass', 30))",
+        "crane.addComponent(Box('base', 0.6, 0.6, 0.4, 29, 0, 0.2, 0, 0, 0, 0))",
+        "crane.addComponent(Box('boom', 0.1, 0.8, 0.1, 1, 0, 0.5, 0, 0, 0, 0))");
 
     @Rule
     public final TestRule page = TABS.page("sear");
@@ -48,6 +56,41 @@ public class JointsTabTest {
         input.sendKeys(Keys.chord(Keys.CONTROL, "a"));
         input.sendKeys(value, Keys.ENTER);
         browser.until(field, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
+    }
+
+    @Test
+    public void aJointWithinARobotIsMadeOfItsPartsByName() {
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating && edits.grammar !== null"));
+        TABS.robotLab().run(CRANE);
+        browser.until("the crane", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(tab.isTrue("welcome.isShown()") ? "[data-tile='build']" : ".sear-build");
+        browser.click(".sear-palette [data-make='Hinge']");
+        choose("#sear-join-first", "crane");
+        choose("#sear-join-second", "crane/boom");
+        browser.click(".sear-join");
+        browser.until("the hinge", () -> tab.isTrue("edits.object && edits.object.object == 'crane/hinge1'"));
+        assertEquals("boom 0 0.5", tab.text("edits.object.values.second + ' ' + edits.object.values.x + ' ' "
+            + "+ edits.object.values.y"));
+        browser.seeText("[data-field='first'] option:checked", "the robot's body");
+        browser.click(".sear-axis button:nth-child(2)");
+        browser.until("north", () -> tab.isTrue("edits.object.values.rz == '-90'"));
+        browser.until("its mark", () -> tab.isTrue("world.shown().joints.length == 1 "
+            + "&& world.shown().joints[0].robot == 'crane'"));
+        set("stallForce", "50");
+        set("noLoadSpeed", "90");
+        set("lower", "-90");
+        set("upper", "90");
+        tab.start();
+        browser.script("arguments[0].value = 750; arguments[0].dispatchEvent(new Event('input'));"
+            + "arguments[0].dispatchEvent(new Event('change'))", browser.see(".sear-joints .sear-slider"));
+        browser.until("45 degrees", () -> tab.number("world.running.joints[0].numbers[0]") > 44);
+        TABS.robotLab().call("sear", "stopSimulation");
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+    }
+
+    private void choose(String select, String name) {
+        browser.script("arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))",
+            browser.see(select), name);
     }
 
     @Test

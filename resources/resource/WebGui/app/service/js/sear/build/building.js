@@ -269,7 +269,7 @@ export class Building {
     slideOnBody(x, y, free) {
         const selected = this.found()
         const isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
-        const under = isSensor && this.pointer.scene() && !this.drag.up ? this.pointer.at(x, y, selected.object) : null
+        const under = isSensor && !pointing.isJoint(selected.object) && this.pointer.scene() && !this.drag.up ? this.pointer.at(x, y, selected.object) : null
         if (!under || under.robot !== selected.robot.name || !under.normal) {
             return false
         }
@@ -305,13 +305,15 @@ export class Building {
             return
         }
         if (this.drag.kind === 'axis') {
-            this.drag.set = joints.pointed(this.drag.pose, point, free)
+            this.drag.set = joints.pointed(this.drag.pose, point, free, this.drag.parent)
             const angles = ['rx', 'ry', 'rz'].map(angle => Number(this.drag.set[angle]))
-            this.held = {object: this.edits.selected, pose: this.drag.start.slice(0, 3).concat(angles)}
+            const turned = geometry.times(this.drag.parent, geometry.frame([0, 0, 0].concat(angles)))
+            this.held = {object: this.edits.selected, pose: this.drag.start.slice(0, 3).concat(turned.slice(3))}
         } else {
-            const end = point.map(value => this.palette.snapped(value, free))
+            const end = pointing.local(this.drag.parent, point).map(value => this.palette.snapped(value, free))
             this.drag.end = this.drag.end || this.found().object.end
-            this.found().object.end = end.concat(this.drag.end.slice(3))
+            this.found().object.end = geometry.times(this.drag.parent, end.concat([0, 0, 0, 1])).slice(0, 3)
+                .concat(this.drag.end.slice(3))
             this.drag.set = {endX: places.plain(end[0]), endY: places.plain(end[1]), endZ: places.plain(end[2])}
         }
     }

@@ -243,7 +243,7 @@ export function show(scene, found, extent, all) {
 /** Shows what the view would show through a selected sensor's eye. */
 function showEye(scene, eye, found) {
     const up = Math.tan(scene.eyeField * Math.PI / 360)
-    eye.visible = Boolean(found.robot) && found.robot.parts.indexOf(found.object) < 0
+    eye.visible = Boolean(found.robot) && !pointing.isJoint(found.object) && found.robot.parts.indexOf(found.object) < 0
     eye.scale.set(FAR * up * scene.camera.aspect, FAR * up, FAR)
 }
 

@@ -65,7 +65,7 @@ export class Inspector {
                 this.fill(row, object.values[row.p.name])
             })
             this.inspected = {name: object.name, robot: object.robot || ''}
-            this.mountable = type.robot && (type.environment || Boolean(object.robot))
+            this.mountable = type.robot && type.kind !== 'joint' && (type.environment || Boolean(object.robot))
             this.stays = Boolean(object.robot) && !type.environment
             this.parts = this.partsOf(object)
         })
@@ -291,7 +291,8 @@ export class Inspector {
 
     /** Returns the objects that a joint may name there, including its present one. */
     partners(row) {
-        const names = joints.partners(this.world.shown())
+        const robot = this.edits.object && this.edits.object.robot
+        const names = robot ? joints.partsOf(this.world.shown(), robot) : joints.partners(this.world.shown())
         return !row.text || names.indexOf(row.text) >= 0 ? names : names.concat(row.text)
     }
 

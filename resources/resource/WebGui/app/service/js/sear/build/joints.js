@@ -15,14 +15,14 @@ const WITH_AXIS = ['Hinge', 'Slider']
 const TAUT = 1e-3             // metres: a rope whose limit is within this of its length is taut
 // The inspector's words for parameters of joints.
 export const WORDS = {
-    first: 'first object', second: 'second object', collide: 'they collide', breakingForce: 'breaks at',
+    first: 'first object', second: 'second object', part: 'move with it', collide: 'they collide', breakingForce: 'breaks at',
     lower: 'lower limit', upper: 'upper limit', restitution: 'bounce', friction: 'dry friction', damping: 'damper',
     stiffness: 'spring rate', rest: 'spring at rest at', stallForce: 'motor force', noLoadSpeed: 'motor speed',
     gear: 'follows joint', ratio: 'gear ratio',
     endX: 'end x', endY: 'end y', endZ: 'end z'
 }
 export const GROUPS = [
-    ['Objects', /^(first|second|collide|breakingForce)$/],
+    ['Objects', /^(first|second|part|collide|breakingForce)$/],
     ['Place', /^([xyz]|r[xyz]|end[XYZ])$/],
     ['Limits', /^(lower|upper|restitution)$/],
     ['Motor', /^(stallForce|noLoadSpeed|gear|ratio)$/],
@@ -38,6 +38,23 @@ export function hasAxis(type) {
 /** Returns the names of all objects and robots that a joint can connect. */
 export function partners(world) {
     return world ? world.objects.concat(world.robots).map(one => one.name) : []
+}
+
+/** Returns the names of the shapes of a robot that a joint within it can connect. */
+export function partsOf(world, robot) {
+    const found = world ? world.robots.filter(one => one.name === robot)[0] : null
+    return found ? found.parts.filter(part => part.type !== 'Wheel' && part.type !== 'Led').map(part => part.name) : []
+}
+
+/** Returns the names of all objects and robots, and robot/part for the shapes of robots. */
+export function ends(world) {
+    const robots = world ? world.robots.map(one => one.name) : []
+    return partners(world).concat(...robots.map(robot => partsOf(world, robot).map(part => robot + '/' + part)))
+}
+
+/** Returns the robot's name in robot/part; another name as it is. */
+function wholeOf(name) {
+    return name.split('/')[0]
 }
 
 /**
@@ -67,17 +84,20 @@ export function tautened(values, set) {
     return isTaut && moves ? Object.assign({}, set, {upper: plain(lengthOf(Object.assign({}, values, set)))}) : set
 }
 
-/** A joint being made: its objects, as clicked or chosen by name, and where they were clicked. */
+/**
+ * A joint being made: its objects, as clicked or chosen by name, and where they were clicked. Two parts of one robot, or
+ * a robot and its part, get a joint within the robot.
+ */
 export class Joining {
     constructor() {
-        this.first = null       // WORLD, or a name; null until chosen
+        this.first = null       // WORLD, a name, or robot/part; null until chosen
         this.second = null
         this.points = {}        // clicked points, by name
     }
 
     /** Returns the name of what was clicked. */
     static nameOf(at) {
-        return at.robot || (at.who && !at.ground ? at.who.object.name : WORLD)
+        return at.who && !at.ground ? at.who.address : at.robot || WORLD
     }
 
     /** Takes a click. @return whether both objects are known */
@@ -104,9 +124,21 @@ export class Joining {
             : 'Click the object that it joins to ' + this.first + ', where the joint shall be'
     }
 
+    /** Returns the name of the robot within which the joint is; null for a joint of the world. */
+    robot() {
+        const robot = this.isWhole() && this.second.indexOf('/') > 0 ? wholeOf(this.second) : null
+        return robot === wholeOf(this.first || '') ? robot : null
+    }
+
     /** Returns why the objects can't be joined, as text; empty if they can. */
     problem(world) {
         const isFixed = name => name === WORLD || world.objects.some(one => one.name === name && !one.loose)
+        if (this.first !== this.second && this.robot()) {
+            return ''
+        }
+        if (this.first !== this.second && wholeOf(this.first) === wholeOf(this.second)) {
+            return 'a joint within ' + this.second + ' needs one of its parts as the second object'
+        }
         return this.first === this.second ? 'a joint needs two objects, and both are ' + this.first
             : isFixed(this.first) && isFixed(this.second) ? 'this joint could not move: ' + this.first + ' and '
                 + this.second + ' are both fixed. Give one of them a mass: select it, and enter it under Physics' : ''
@@ -114,11 +146,14 @@ export class Joining {
 
     /** Returns the parameters of the joint. @param snapped see palette */
     values(world, type, snapped) {
-        const at = name => (this.points[name] || pointing.find(world, name).pose.slice(0, 3)).map(snapped)
+        const robot = this.robot()
+        const frame = robot ? pointing.find(world, robot).pose : [0, 0, 0, 0, 0, 0, 1]
+        const at = name => pointing.local(frame, this.points[name] || pointing.find(world, name).pose.slice(0, 3))
+            .map(snapped)
         const end = at(this.second)
-        const set = {second: this.second}
-        if (this.first !== WORLD) {
-            set.first = this.first
+        const set = {second: robot ? pointing.short(this.second) : wholeOf(this.second)}
+        if (this.first !== WORLD && this.first !== robot) {
+            set.first = robot ? pointing.short(this.first) : wholeOf(this.first)
         }
         const above = this.first === WORLD && !this.points[WORLD] ? [end[0], end[1] + 1, end[2]] : null
         const from = type === 'Rope' ? above || at(this.first) : end
@@ -203,12 +238,18 @@ export function pick(world, toScreen, x, y) {
         const seen = toScreen(joint.pose)
         return {joint, away: seen.seen === false ? Infinity : Math.hypot(seen.x - x, seen.y - y)}
     }).sort((a, b) => a.away - b.away)[0]
-    return near && near.away < NEAR ? {who: {address: near.joint.name, robot: null, object: near.joint},
+    const robot = near && near.joint.robot
+    const address = robot ? robot + '/' + pointing.short(near.joint.name) : near && near.joint.name
+    return near && near.away < NEAR ? {who: {address, robot: robot || null, object: near.joint},
         point: near.joint.pose.slice(0, 3), ground: false, robot: null, local: null, normal: null} : null
 }
 
-/** Returns the direction in which an axis handle points, from a joint's anchor to a point, as parameters. */
-export function pointed(pose, point, free) {
-    const angles = anglesOf(point.map((metres, i) => metres - pose[i]), free ? 0 : TURN)
+/**
+ * Returns the direction in which an axis handle points, from a joint's anchor to a point, as parameters.
+ * @param parent frame in which they are
+ */
+export function pointed(pose, point, free, parent) {
+    const way = pointing.back(parent, point.map((metres, i) => metres - pose[i]))
+    const angles = anglesOf(way, free ? 0 : TURN)
     return {rx: plain(angles.rx), ry: '0', rz: plain(angles.rz)}
 }

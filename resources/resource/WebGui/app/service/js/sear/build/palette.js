@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette of the SEAR panel: all kinds of objects, placed by a click in the view.
 import {mounted, tilted, withGround} from './mounting.js'
-import {Joining, WORLD, partners} from './joints.js'
+import {Joining, WORLD, ends} from './joints.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
 import {THINGS, isThing, thingEdit} from './things.js'
@@ -139,7 +139,7 @@ export class Palette {
 
     /** Returns the names that a joint's object may have; only the first one may be the world. */
     partners(isFirst) {
-        return (isFirst ? [WORLD] : []).concat(partners(this.world.shown()))
+        return (isFirst ? [WORLD] : []).concat(ends(this.world.shown()))
     }
 
     /** Makes the joint whose two objects are chosen. @param free whether it does not snap */
@@ -152,7 +152,11 @@ export class Palette {
             return
         }
         const set = joining.values(this.world.shown(), type.type, value => this.snapped(value, free))
-        this.edits.edit({'do': 'add', type: type.type, set}, answer => {
+        const edit = {'do': 'add', type: type.type, set}
+        if (joining.robot()) {
+            edit.to = joining.robot()
+        }
+        this.edits.edit(edit, answer => {
             this.edits.selectAfter(answer)
             if (answer.done) {
                 this.leave()

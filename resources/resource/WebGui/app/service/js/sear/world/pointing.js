@@ -17,8 +17,8 @@ export function isJoint(object) {
     return object.second !== undefined
 }
 
-/** Returns the name of a part or sensor without its robot's name. */
-function short(name) {
+/** Returns the name of a part, sensor or joint without its robot's name. */
+export function short(name) {
     return name.slice(name.indexOf('/') + 1)
 }
 
@@ -54,7 +54,8 @@ export function find(world, address) {
     }
     const slash = address.indexOf('/')
     if (slash < 0) {
-        const whole = world.objects.concat(world.robots, world.joints || []).filter(one => one.name === address)[0]
+        const joints = (world.joints || []).filter(joint => !joint.robot)
+        const whole = world.objects.concat(world.robots, joints).filter(one => one.name === address)[0]
         return whole ? {object: whole, robot: null, pose: geometry.frame(whole.pose),
             parent: [0, 0, 0, 0, 0, 0, 1]} : null
     }
@@ -68,8 +69,9 @@ export function find(world, address) {
     if (part) {
         return {object: part, robot, pose: geometry.times(parent, geometry.frame(part.pose)), parent}
     }
-    const sensor = world.sensors.filter(one => one.robot === robot.name && short(one.name) === name)[0]
-    return sensor ? {object: sensor, robot, pose: geometry.frame(sensor.pose), parent} : null
+    const other = world.sensors.concat(world.joints || [])
+        .filter(one => one.robot === robot.name && short(one.name) === name)[0]
+    return other ? {object: other, robot, pose: geometry.frame(other.pose), parent} : null
 }
 
 /**

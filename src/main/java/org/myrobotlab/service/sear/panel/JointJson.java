@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.geometry.Pose;
 import org.SEAR.sensors.JointReading;
@@ -25,14 +26,14 @@ final class JointJson {
     /** Returns the fields that can change in each step. */
     static List<WorldState.Link> moving(Simulation world) {
         List<WorldState.Link> links = new ArrayList<>();
-        for (Joint joint : world.getProject().getJoints()) {
+        for (Joint joint : world.getProject().getAllJoints()) {
             WorldState.Link link = new WorldState.Link();
-            Pose[] frames = world.getJoints().frames(joint.getName());
+            Pose[] frames = world.getJoints().frames(joint.getFullName());
             link.pose = frames[0];
             link.end = frames[1];
-            link.broken = world.getJoints().isBroken(joint.getName());
-            if (world.getJoints().isRead(joint.getName())) {
-                JointReading reading = world.getJoints().reading(joint.getName());
+            link.broken = world.getJoints().isBroken(joint.getFullName());
+            if (world.getJoints().isRead(joint.getFullName())) {
+                JointReading reading = world.getJoints().reading(joint.getFullName());
                 link.words = reading.words("");
                 link.numbers = JsonNumbers.numbers(reading.numbers());
             }
@@ -43,12 +44,13 @@ final class JointJson {
 
     /** Adds the constant fields. */
     static void addFixed(Simulation world, List<WorldState.Link> links) {
-        List<Joint> joints = world.getProject().getJoints();
+        List<Joint> joints = world.getProject().getAllJoints();
         Map<String, String> reasons = JointAdvice.of(world.getProject());
         for (int i = 0; i < joints.size(); i++) {
             Joint joint = joints.get(i);
             WorldState.Link link = links.get(i);
-            link.name = joint.getName();
+            link.name = joint.getFullName();
+            link.robot = Assembly.robotOf(joint) == null ? "" : Assembly.robotOf(joint).getName();
             link.type = joint.getClass().getSimpleName();
             link.first = Objects.requireNonNullElse(joint.getFirst(), "");
             link.second = joint.getSecond();

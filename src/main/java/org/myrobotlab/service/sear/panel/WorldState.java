@@ -182,9 +182,11 @@ class WorldState extends JsonForm {
         String words;
         List<Double> numbers;
         String name;
+        /** Name of the robot that has it as a part; empty for a joint of the environment. */
+        String robot;
         /** For example {@code Hinge}. */
         String type;
-        /** Names of the objects; empty for the world. */
+        /** Names of the objects or parts; empty for the world or the robot's body. */
         String first;
         String second;
         /** Names of the numbers, to append to the joint's, and their units. */

@@ -1,4 +1,4 @@
-# Drives through the office and draws an occupancy grid from LIDAR scans: free cells white, occupied black, unseen grey; saved as map.png.
+# Drives through the office and draws an occupancy grid from LIDAR scans: free cells white, occupied black, unseen grey; saved as map.png and as a ROS map, map.yaml with map.pgm.
 from java.awt.image import BufferedImage
 from java.io import File
 from javax.imageio import ImageIO
@@ -75,6 +75,12 @@ for row in range(ROWS):
         value = evidence[row][column]
         picture.setRGB(column, row, 0x000000 if value > 0 else 0xffffff if value < 0 else 0xa0a0a0)
 ImageIO.write(picture, "png", File("map.png"))
+with open("map.pgm", "wb") as out:      # black 0 occupied, white 254 free, 205 unknown, as ROS's map_saver writes it
+    out.write("P5 %d %d 255\n" % (COLUMNS, ROWS))
+    out.write("".join(chr(0 if value > 0 else 254 if value < 0 else 205) for line in evidence for value in line))
+with open("map.yaml", "w") as out:
+    out.write("image: map.pgm\nresolution: %s\norigin: [%s, %s, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+        % (CELL, -EAST, -NORTH))            # of the lower left corner: metres east and north
 occupied = sum(1 for line in evidence for value in line if value > 0)
 free = sum(1 for line in evidence for value in line if value < 0)
 print("%d scans: %.1f square metres are free, %d cells occupied; north is up in map.png" % (scans, free * CELL * CELL, occupied))

@@ -43,6 +43,16 @@ test('a turned cube has a turned outline, and floors lie below all other shapes'
     assert.equal(area([]), null)
 })
 
+test('walls cover only their areas', () => {
+    const strip = side => [[-2, 1, side], [2, 1, side], [2, 1, side + 0.1], [-2, 1, side + 0.1]]
+    const walls = {name: 'maze', type: 'Maze', pose: [0, 0, 0, 0, 90, 0], areas: [strip(-2), strip(1.9)],
+        corners: CUBE.map(([x, y, z]) => [2 * x, y, 2 * z])}
+    const world = {objects: [walls], robots: []}
+    assert.equal(onMap(world, 0, 0).who, null)
+    assert.equal(onMap(world, 1.95, 0).who.address, 'maze')
+    assert.equal(onMap(world, 0, 1.95).who, null)
+})
+
 test('a point ahead of a robot that faces east is east of it', () => {
     same(onGround(frame([1, 0, 2, 0, 0, 0]), [0, 0, 3]), [1, 5])
     same(onGround(frame([1, 0, 2, 0, 90, 0]), [0, 0, 3]), [4, 2])

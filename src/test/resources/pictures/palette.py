@@ -61,6 +61,15 @@ def draw_Terrain():
 def draw_Model():
     sear.loadProject('examples/office.sear')
 
+def draw_Maze():
+    Maze('maze', ' _ _ _ _\n|  _  | |\n| |  _| |\n|_ _ _  |\n|_ _ _ _|').setHeight(0.25)
+def draw_FloorPlan():
+    box(WHITE, 1.5, 2, 0.02, 0, -0.02, 0)
+    plan = Maze('plan', ' _ _ _ _ _ _\n|   |       |\n|   |_   _ _|\n|_      |   |\n|   |   |   |\n|_ _|_ _|_ _|', 0.3)
+    plan.setHeight(0.12)
+    plan.setThickness(0.05)
+    plan.setColor(DARK)
+
 def draw_Gravity():
     ball(BLUE, 0.5)
     rod(YELLOW, 0.07, 0.5, 0, 1.05, 0)

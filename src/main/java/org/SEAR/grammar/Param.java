@@ -40,7 +40,7 @@ public @interface Param {
 
     /**
      * Value of an object that is created with a name only, for example with the mouse, where the default is unsuitable;
-     * empty for the default.
+     * empty for the default; for a list one entry per line.
      */
     String initial() default "";
 

@@ -231,7 +231,7 @@ public final class Parameter {
                 value = trimmed.equals("true");
                 break;
             default:
-                value = trimmed;
+                value = param.text() == TextRule.DRAWING ? text.stripTrailing() : trimmed;
                 break;
         }
         if (!isLegal(value)) {

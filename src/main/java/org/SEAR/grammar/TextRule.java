@@ -17,6 +17,13 @@ public enum TextRule {
             return true;
         }
     },
+    /** A line of a drawing by characters, whose first characters may be blanks. */
+    DRAWING("one line of at most 200 characters, drawn from its first one") {
+        @Override
+        boolean allows(String text) {
+            return true;
+        }
+    },
     /** The name of an object, usable as a file name on every system. */
     NAME("a name of 1 to 100 characters that can be a file name on every system: none of / \\ : * ? \" < > |, no dot "
         + "or blank at either end, not a device name such as CON") {

@@ -54,7 +54,9 @@ final class EpisodePlan {
         graphics.setColor(PAPER);
         graphics.fillRect(0, 0, width, height);
         for (Outline outline : outlines) {
-            draw(graphics, outline);
+            for (double[][] area : outline.areas) {
+                draw(graphics, area, outline.color);
+            }
         }
         graphics.setStroke(new BasicStroke(2));
         graphics.setColor(Color.BLACK);
@@ -68,11 +70,11 @@ final class EpisodePlan {
         return bytes(picture.getRGB(0, 0, width, height, null, 0, width));
     }
 
-    private void draw(Graphics2D graphics, Outline outline) {
+    private void draw(Graphics2D graphics, double[][] points, String color) {
         Path2D path = new Path2D.Double();
-        for (int i = 0; i < outline.points.length; i++) {
-            double x = right(outline.points[i][1]);
-            double y = down(outline.points[i][0]);
+        for (int i = 0; i < points.length; i++) {
+            double x = right(points[i][1]);
+            double y = down(points[i][0]);
             if (i == 0) {
                 path.moveTo(x, y);
             } else {
@@ -80,7 +82,7 @@ final class EpisodePlan {
             }
         }
         path.closePath();
-        graphics.setColor(Color.decode(outline.color));
+        graphics.setColor(Color.decode(color));
         graphics.fill(path);
         graphics.setColor(EDGE);
         graphics.setStroke(new BasicStroke(1));

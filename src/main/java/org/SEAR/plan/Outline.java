@@ -22,15 +22,18 @@ public final class Outline {
     public final boolean part;
     /** Corners in order, {x, z} in the world, metres. */
     public final double[][] points;
+    /** Corners in order of each area to draw, {x, z} in the world, metres. */
+    public final double[][][] areas;
     /** For example {@code #c49a6c}. */
     public final String color;
     /** Ground is below everything else. */
     public final boolean ground;
 
-    private Outline(Shape shape, boolean part, double[][] points) {
+    private Outline(Shape shape, boolean part, double[][] points, double[][][] areas) {
         this.name = shape.getName();
         this.part = part;
         this.points = points;
+        this.areas = areas.length == 0 ? new double[][][] {points} : areas;
         this.ground = shape.isGround();
         this.color = ground && !shape.hasColor() ? WHITE : shape.getColor();
     }
@@ -56,12 +59,20 @@ public final class Outline {
         if (corners.length < 2 || !(object instanceof Shape)) {
             return;
         }
+        double[][][] areas = world.getAreas(object);
+        for (int i = 0; i < areas.length; i++) {
+            areas[i] = fromAbove(areas[i], pose);
+        }
+        all.add(new Outline((Shape) object, part, hull(fromAbove(corners, pose)), areas));
+    }
+
+    private static double[][] fromAbove(double[][] corners, Pose pose) {
         double[][] points = new double[corners.length][];
         for (int i = 0; i < corners.length; i++) {
             double[] at = pose.transform(corners[i][0], corners[i][1], corners[i][2]);
             points[i] = new double[] {at[0], at[2]};
         }
-        all.add(new Outline((Shape) object, part, hull(points)));
+        return points;
     }
 
     /** Returns the convex hull of points. */

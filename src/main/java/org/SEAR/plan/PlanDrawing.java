@@ -114,11 +114,13 @@ public final class PlanDrawing implements Drawing {
         double foot = height - FOOT;
         area(canvas, new double[][] {{0, 0}, {WIDTH, 0}, {WIDTH, foot}, {0, foot}}, PAPER, 1, PAPER);
         for (Outline outline : plan.outlines) {
-            double[][] corners = new double[outline.points.length][];
-            for (int i = 0; i < corners.length; i++) {
-                corners[i] = new double[] {right(outline.points[i][1]), down(outline.points[i][0])};
+            for (double[][] points : outline.areas) {
+                double[][] corners = new double[points.length][];
+                for (int i = 0; i < corners.length; i++) {
+                    corners[i] = new double[] {right(points[i][1]), down(points[i][0])};
+                }
+                area(canvas, corners, outline.color, 1, EDGE);
             }
-            area(canvas, corners, outline.color, 1, EDGE);
         }
         plan.beams.forEach(beams -> draw(canvas, beams, foot));
         plan.robots.forEach(robot -> arrow(canvas, robot));

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
@@ -50,6 +51,9 @@ final class AssetCheck {
             }
             if (parsed.object instanceof Model) {
                 checkModel(parsed, ((Model) parsed.object).getPath());
+            }
+            if (parsed.object instanceof FloorPlan) {
+                checkFile(parsed, ((FloorPlan) parsed.object).getPath());
             }
             if (parsed.object instanceof Terrain) {
                 checkMaps(parsed, (Terrain) parsed.object);
@@ -135,7 +139,13 @@ final class AssetCheck {
         if (!ModelLoader.isModel(path)) {
             problems.add(parsed.file, parsed.line("path"), "path", path, "a model: "
                 + String.join(", ", ModelLoader.ENDINGS) + ModelLoader.CONVERT);
-        } else if (!assets.has(path)) {
+        } else {
+            checkFile(parsed, path);
+        }
+    }
+
+    private void checkFile(ParsedObject parsed, String path) {
+        if (!assets.has(path)) {
             problems.add(parsed.file, parsed.line("path"), "path", path, "a file below assets, and there is none "
                 + "of that name");
         }

@@ -8,13 +8,16 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Gravity;
 import org.SEAR.POJOs.Joint;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.project.models.FloorPlans;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
@@ -115,15 +118,22 @@ public final class Project {
     }
 
     /**
-     * Loads each model once and checks the headers of the elevation maps; {@link #read} only checks that these files
-     * exist.
+     * Loads each model once, loads floor plans and checks the headers of the elevation maps; {@link #read} only checks
+     * that these files exist.
      *
-     * @throws ProjectException with every unreadable model and every unusable map
+     * @throws ProjectException with every unreadable model and floor plan and every unusable map
      */
     public void checkFiles() throws ProjectException {
         List<Problem> problems = new ArrayList<>(terrain == null ? List.of() : terrain.brokenMaps());
         Set<String> whole = new HashSet<>();
         for (SearObject object : objects()) {
+            if (object instanceof FloorPlan) {
+                try {
+                    FloorPlans.of((FloorPlan) object, assets);
+                } catch (IOException e) {
+                    problems.add(problem((Shape) object, e));
+                }
+            }
             if (object instanceof Model && !whole.contains(((Model) object).getPath())) {
                 try {
                     ModelLoader.withoutPictures(assets, unheard -> { }).triangles((Model) object);
@@ -144,10 +154,15 @@ public final class Project {
         return all;
     }
 
-    /** Returns the problem of a model that can't be loaded. */
-    public Problem problem(Model model, IOException why) {
-        String file = (environment.contains(model) ? "environment/" : "robot/") + model.getFileName() + ".xml";
-        return new Problem(file, 0, "path", model.getPath(), "a model that can be loaded (" + why.getMessage() + ")");
+    /** Returns the problem of a model or of walls that can't be loaded. */
+    public Problem problem(Shape shape, IOException why) {
+        String file = (environment.contains(shape) ? "environment/" : "robot/") + shape.getFileName() + ".xml";
+        if (shape instanceof Model) {
+            return new Problem(file, 0, "path", ((Model) shape).getPath(), "a model that can be loaded ("
+                + why.getMessage() + ")");
+        }
+        return new Problem(file, 0, shape instanceof FloorPlan ? "path" : "line", shape instanceof FloorPlan
+            ? ((FloorPlan) shape).getPath() : "", "walls that can be drawn (" + why.getMessage() + ")");
     }
 
     /**

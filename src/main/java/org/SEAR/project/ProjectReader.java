@@ -25,6 +25,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Walls;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.files.Assets;
 import org.SEAR.grammar.Parameter;
@@ -164,14 +165,15 @@ final class ProjectReader {
 
     /**
      * Returns the classes that a folder may contain: environment has shapes but wheels, joints and gravity; robot all
-     * but gravity, floors and terrains; a robot's own folder no robots either.
+     * but gravity, floors, walls and terrains; a robot's own folder no robots either.
      */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class
                 || Joint.class.isAssignableFrom(type) || type == Gravity.class;
-            boolean part = type != Floor.class && type != Terrain.class && type != Gravity.class
+            boolean part = type != Floor.class && type != Terrain.class && !Walls.class.isAssignableFrom(type)
+                && type != Gravity.class
                 && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);

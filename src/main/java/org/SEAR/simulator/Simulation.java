@@ -376,6 +376,14 @@ public final class Simulation implements AutoCloseable {
         return world.getOutline(object);
     }
 
+    /**
+     * Areas of an object from above, {x, y, z} of the corners of each, metres, object frame; none if the convex hull of
+     * its outline shows it. Any thread.
+     */
+    public double[][][] getAreas(SearObject object) {
+        return world.getAreas(object);
+    }
+
     /** Surface of a shape, shape frame, metres; null for a terrain, which is drawn from its elevations. Any thread. */
     public SurfaceMesh getSurface(Shape shape) {
         return world.getSurface(shape);

@@ -401,6 +401,11 @@ final class World implements PhysicsWorld.Touches {
         return shapes.containsKey(object) ? shapes.get(object).outline() : new double[0][];
     }
 
+    /** See {@link Solid#areas}. */
+    double[][][] getAreas(SearObject object) {
+        return shapes.containsKey(object) ? shapes.get(object).areas() : new double[0][][];
+    }
+
     /** See {@link Simulation#getSurface}. */
     SurfaceMesh getSurface(Shape shape) {
         Solid solid = shapes.get(shape);

@@ -77,7 +77,7 @@ public class DrivingExamplesTest {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
             assertEquals(List.of("arduino_rover.py", "balance.py", "car_waypoints.py", "follow_ball.py",
                 "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
-                "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py",
+                "map_driver.py", "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py",
                     "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
@@ -95,6 +95,14 @@ public class DrivingExamplesTest {
         double[] goal = end(text, "goal");
         assertEquals("the cone still stands where it stood", 0, Math.hypot(goal[0] + 2, goal[1] - 2), 0.01);
         assertTrue(text, Math.hypot(goal[0] - robot[0], goal[1] - robot[1]) < 0.65);
+    }
+
+    @Test
+    public void aRosMapIsDrivenThrough() throws Exception {
+        double[] drive = numbers(run("map_driver.py"), "x (-?[0-9.]+), z (-?[0-9.]+); (\\d+) of (\\d+) beams");
+        assertEquals(0, Math.hypot(drive[0] - 1.6, drive[1] - 2.6), 0.1);
+        assertEquals("all beams end on the map's walls", drive[3], drive[2], 0);
+        assertTrue(drive[3] > 300);
     }
 
     @Test
@@ -156,6 +164,10 @@ public class DrivingExamplesTest {
             }
         }
         assertTrue("black where the north wall is, but for what furniture hides: " + missing, missing.size() < 15);
+        assertEquals("the ROS map", 15 + map.getWidth() * map.getHeight(),
+            Files.size(folder.getRoot().toPath().resolve("map.pgm")));
+        assertTrue(Files.readString(folder.getRoot().toPath().resolve("map.yaml")).startsWith(
+            "image: map.pgm\nresolution: 0.05\norigin: [-3.5, -4.5, 0]\n"));
         double[] counts = numbers(text, "(\\d+) scans: ([0-9.]+) square metres are free");
         assertEquals(32, counts[0], 0);
         assertEquals("of 48 square metres", 44, counts[1], 4);

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, LIDAR, \
-    Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, LIDAR, \
+    Led, LineSensor, Marker, Maze, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -290,3 +290,12 @@ joint.setGear(Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8), -2)
 Gravity("gravity", 3.71)
 gravity = Gravity("gravity", "Moon")
 gravity.setAcceleration(0)
+
+FloorPlan("plan", "plan.yaml")
+FloorPlan("plan", "plan.yaml", 2)
+plan = FloorPlan("plan", "textures/brick.png", 0.01, 0.5)
+plan.setDarkness(0.4)
+plan.setHeight(2.5)
+Maze("maze", " _ _\n|_|_|\n250")
+maze = Maze("maze", " _ _\n|S| |\n|___|", 0.2)
+maze.setThickness(0.02)

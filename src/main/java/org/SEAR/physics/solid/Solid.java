@@ -55,6 +55,14 @@ public abstract class Solid {
         return points;
     }
 
+    /**
+     * Returns its areas from above, {x, y, z} of the corners of each in the object's frame, metres; none if the convex
+     * hull of its outline shows it.
+     */
+    public double[][][] areas() {
+        return new double[0][][];
+    }
+
     /** Returns a new search for its triangles, for a fixed body. */
     public TriangleSearch triangles() {
         throw new UnsupportedOperationException("only a mesh has triangles");

@@ -12,7 +12,9 @@ import org.SEAR.POJOs.Chessboard;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Marker;
+import org.SEAR.POJOs.Maze;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Picture;
@@ -44,6 +46,8 @@ public final class Solids implements ObjectTypes {
         add(Picture.class, (picture, sources) -> BoxSolid.of(picture));
         add(Terrain.class, (terrain, sources) -> TerrainSolid.of(sources.ground()));
         add(Floor.class, (floor, sources) -> BoxSolid.of(floor));
+        add(Maze.class, (maze, sources) -> WallsSolid.of(maze));
+        add(FloorPlan.class, (plan, sources) -> WallsSolid.of(plan, sources.models().getAssets()));
         add(Model.class, (model, sources) -> MeshSolid.of(model, sources.models()));
         add(Wheel.class, (wheel, sources) -> RoundSolid.of(wheel));
     }
@@ -89,7 +93,7 @@ public final class Solids implements ObjectTypes {
             return of((Shape) object, sourcesOf(project, warnings));
         } catch (IOException e) {
             project.checkFiles();
-            throw new ProjectException(Collections.singletonList(project.problem((Model) object, e)));
+            throw new ProjectException(Collections.singletonList(project.problem((Shape) object, e)));
         } catch (ProjectException e) {
             project.checkFiles();
             throw e;

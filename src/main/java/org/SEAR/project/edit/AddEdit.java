@@ -3,6 +3,7 @@ package org.SEAR.project.edit;
 
 import java.io.IOException;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.SEARrobot;
@@ -33,7 +34,8 @@ final class AddEdit extends Edit {
         Map<String, Object> initial = new HashMap<>();
         for (Parameter parameter : ParameterTable.of(found).getParameters()) {
             if (!parameter.getInitial().isEmpty()) {
-                initial.put(parameter.getName(), parameter.getInitial());
+                initial.put(parameter.getName(), parameter.isList() ? List.of(parameter.getInitial().split("\n"))
+                    : parameter.getInitial());
             }
         }
         assign(object, "name", name);

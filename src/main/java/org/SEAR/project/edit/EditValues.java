@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Objects;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.ProblemList;
 
 /**
@@ -92,7 +93,8 @@ final class EditValues {
         }
         List<Object> values = new ArrayList<>();
         for (int i = 0; i < entries.size(); i++) {
-            Object value = isNone(entries.get(i)) ? null : value(parameter, entries.get(i), path + "#" + i);
+            boolean missing = isNone(entries.get(i)) && parameter.getTextRule() != TextRule.DRAWING;
+            Object value = missing ? null : value(parameter, entries.get(i), path + "#" + i);
             if (value == null) {
                 problems.add(file, 0, path + "#" + i, text(entries.get(i)), parameter.legal());
                 return;

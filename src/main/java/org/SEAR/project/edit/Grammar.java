@@ -15,9 +15,11 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Walls;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.ObjectDocs;
 import org.SEAR.project.xml.ObjectClasses;
 
@@ -32,9 +34,10 @@ import org.SEAR.project.xml.ObjectClasses;
  * "group"),
  *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words":
  * [] (meanings of the values),
- *                   "names": "" ("Wheel": class of the part of the same robot that it names), "required": true,
- *                   "list": false, "most": 1, "default": "", "initial": "0.5" (for an object that is created with the
- * mouse),
+ *                   "names": "" ("Wheel": class of the part of the same robot that it names), "drawing": false
+ * (whether its entries are lines of a drawing by characters),
+ *                   "required": true, "list": false, "most": 1, "default": "", "initial": "0.5" (for an object that is
+ * created with the mouse; of a list one entry per line),
  *                   "parameters": [..] (of a group)}, ..]}, ..]
  * </pre>
  */
@@ -80,8 +83,8 @@ public final class Grammar {
 
     /** Returns whether an object of a class may be a part of a robot. */
     static boolean standsOnRobot(Class<? extends SearObject> type) {
-        return type != Floor.class && type != Terrain.class && type != SEARrobot.class
-            && type != Gravity.class;
+        return type != Floor.class && type != Terrain.class && !Walls.class.isAssignableFrom(type)
+            && type != SEARrobot.class && type != Gravity.class;
     }
 
     /** Returns the unit of a parameter; joints with one class for several kinds have that of a hinge first. */
@@ -106,6 +109,7 @@ public final class Grammar {
             map.put("values", parameter.getValues());
             map.put("words", parameter.getWords());
             map.put("names", parameter.getNamed());
+            map.put("drawing", parameter.getTextRule() == TextRule.DRAWING);
             map.put("required", parameter.isRequired());
             map.put("list", parameter.isList());
             map.put("most", parameter.getMaxEntries());

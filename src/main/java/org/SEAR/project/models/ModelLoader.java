@@ -63,6 +63,11 @@ public final class ModelLoader {
         return new ModelLoader(assets, false, warnings);
     }
 
+    /** Returns the assets that models are loaded from. */
+    public Assets getAssets() {
+        return assets;
+    }
+
     /** Returns whether the path has the ending of a model. */
     public static boolean isModel(String path) {
         String lower = path.toLowerCase(Locale.ROOT);

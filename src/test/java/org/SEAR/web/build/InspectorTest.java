@@ -98,6 +98,23 @@ public class InspectorTest extends SearPage {
     }
 
     @Test
+    public void theDrawingOfAMazeIsEditedAsText() {
+        robotLab.run("from org.SEAR.POJOs import Maze\nMaze('maze', ' _ _\\n|_|_|', 1)");
+        browser.until("the maze", () -> tab.isTrue("world.shown().objects.length == 5"));
+        select("maze");
+        WebElement drawing = browser.see("[data-field='line'] textarea");
+        assertEquals(" _ _\n|_|_|", drawing.getAttribute("value"));
+        String change = "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('change'))";
+        browser.script(change, drawing, " _ _\n|  _|\n|_|_|\n");
+        browser.until("three lines", () -> tab.text("edits.object.values.line.join('/')").equals(" _ _/|  _|/|_|_|"));
+        browser.script(change, drawing, "|#|");
+        browser.seeText("[data-field='line'] .sear-wrong", "legal: ");
+        browser.until("areas on the map", () -> Boolean.TRUE.equals(browser.script("return angular.element("
+            + "document.querySelector('.sear-main')).scope().world.shown().objects.some(one => one.areas && "
+            + "one.areas.length > 3)")));
+    }
+
+    @Test
     public void thePaletteKnowsSynonyms() {
         browser.click(".sear-build");
         String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"},

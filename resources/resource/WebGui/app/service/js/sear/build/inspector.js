@@ -122,10 +122,10 @@ export class Inspector {
     /** Whether the user is typing there, and has neither pressed Enter nor left the field. */
     isTyped(row) {
         const field = document.activeElement
-        const model = field && field.closest('[data-field="' + row.p.name + '"] input.form-control')
+        const model = field && field.closest('[data-field="' + row.p.name + '"] :is(input, textarea).form-control')
         && angular.element(field).controller('ngModel')
-        return Boolean(model) && field.value.trim() !== (model.$isEmpty(model.$modelValue)
-            ? '' : String(model.$modelValue))
+        const text = model && row.p.drawing ? field.value : field && (field.value || '').trim()
+        return Boolean(model) && text !== (model.$isEmpty(model.$modelValue) ? '' : String(model.$modelValue))
     }
 
     fill(row, value) {
@@ -141,7 +141,9 @@ export class Inspector {
         }
         // another page's new value comes together with the reason why this page could not set its own
         row.refused = false
-        if (row.p.list) {
+        if (row.p.drawing) {
+            row.text = (value || []).join('\n')
+        } else if (row.p.list) {
             row.entries = (value || []).map(one => this.entryOf(row, one))
         } else {
             row.text = row.was
@@ -165,6 +167,9 @@ export class Inspector {
     // ---- changes
     // -----------------------------------------------------------------------------------------------------------------
     valueIn(row) {
+        if (row.p.drawing) {
+            return row.text.replace(/\s+$/, '').split('\n')
+        }
         return !row.entries ? row.text : row.entries.map(entry => {
             if (!row.p.parameters) {
                 return entry[0].text
@@ -208,7 +213,7 @@ export class Inspector {
     /** Sends the value of a row. */
     setRow(row) {
         const value = this.valueIn(row)
-        const meant = row.entries ? '' : this.numberMeant(row.p, value)
+        const meant = row.p.list ? '' : this.numberMeant(row.p, value)
         if (meant || this.same(value, row.was)) {
             row.error = meant ? 'write ' + meant : ''
             return
@@ -255,7 +260,7 @@ export class Inspector {
 
     /** Escape restores a field's value and clears the parameter's error. */
     key(event) {
-        const model = event.key === 'Escape' && event.target.matches('input.form-control')
+        const model = event.key === 'Escape' && event.target.matches(':is(input, textarea).form-control')
             && angular.element(event.target).controller('ngModel')
         if (!model) {
             return
@@ -264,7 +269,7 @@ export class Inspector {
         const field = event.target.closest('[data-field]')
         this.rows.forEach(row => {
             if (field && field.dataset.field === row.p.name && !row.entries) {
-                row.text = row.was
+                row.text = row.p.drawing ? row.was.join('\n') : row.was
                 row.error = ''
             }
         })

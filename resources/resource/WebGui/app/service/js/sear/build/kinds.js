@@ -24,7 +24,8 @@ const WORDS = {
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture',
     Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
     ForceTorque: 'Force and torque',
-    ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal', Gravity: 'Gravity'
+    ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal', Gravity: 'Gravity',
+    Maze: 'Maze', FloorPlan: 'Floor plan'
 }
 // Other search words.
 const ALSO = {
@@ -45,6 +46,7 @@ const ALSO = {
     Picture: 'image poster sign photo',
     Hinge: 'joint revolute door axle', Slider: 'joint prismatic lift rail', BallJoint: 'joint hitch trailer spherical',
     FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
+    FloorPlan: 'map ros walls picture maze office yaml pgm', Maze: 'walls labyrinth micromouse eyesim',
     ForceTorque: 'joint wrench load cell scale strain',
     ball: 'football toy', table: 'desk furniture', ramp: 'slope hill climb', coneAlley: 'slalom pylon lane',
     goal: 'football gate', Gravity: 'moon mars weightless weight acceleration world'

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions of new wheels on robots, and which wheels motors can turn.
-import {contains, extent, top} from '../world/pointing.js'
+import {covers, extent, top} from '../world/pointing.js'
 import {plain} from './places.js'
 
 const GAP = 0.005             // metres between a wheel and the body
@@ -33,7 +33,7 @@ export function wheelToTurn(world, robot) {
 function ground(world, robot) {
     const pose = robot.pose
     const below = world.objects.filter(object => !object.ground && object.$shape
-        && contains(object.$shape.outline, pose[0], pose[2])).map(top)
+        && covers(object, pose[0], pose[2])).map(top)
         .filter(height => height < pose[1] && height > pose[1] - FARTHEST)
     return below.length ? Math.max.apply(null, below) : null
 }

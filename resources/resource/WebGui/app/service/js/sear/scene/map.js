@@ -119,6 +119,10 @@ function drawAxes(pen, at, dark) {
 }
 
 function drawShape(pen, at, ink, shape) {
+    if (shape.areas) {
+        drawAreas(pen, at, shape)
+        return
+    }
     trace(pen, shape.outline.map(point => at(point[0], point[1])))
     pen.closePath()
     pen.fillStyle = shape.color
@@ -127,6 +131,19 @@ function drawShape(pen, at, ink, shape) {
     pen.strokeStyle = ink
     pen.stroke()
     pen.globalAlpha = 1
+}
+
+function drawAreas(pen, at, shape) {
+    pen.beginPath()
+    shape.areas.forEach(area => {
+        const corners = area.map(point => at(point[0], point[1]))
+        pen.moveTo(corners[0].x, corners[0].y)
+        corners.slice(1).forEach(corner => pen.lineTo(corner.x, corner.y))
+        pen.closePath()
+    })
+    pen.fillStyle = pen.strokeStyle = shape.color
+    pen.fill()
+    pen.stroke()
 }
 
 function drawBeams(pen, at, sensor) {

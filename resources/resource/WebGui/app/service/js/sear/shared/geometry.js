@@ -78,6 +78,12 @@ function outline(object, pose) {
     return halfHull(points).concat(halfHull(points.reverse()))
 }
 
+/** Returns the areas of an object that its outline does not show, on the ground; null without any. */
+function areas(object) {
+    const pose = frame(object.pose)
+    return object.areas ? object.areas.map(area => area.map(corner => onGround(pose, corner))) : null
+}
+
 function halfHull(points) {
     const hull = []
     points.forEach(p => {
@@ -113,7 +119,7 @@ function shapeOf(object) {
         const ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
         object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground,
             robot: false,
-            pose: object.pose, outline: outline(object, frame(object.pose))}
+            pose: object.pose, outline: outline(object, frame(object.pose)), areas: areas(object)}
     }
     return object.$shape
 }

@@ -158,6 +158,11 @@ export function contains(outline, x, z) {
     }
     return inside
 }
+/** Whether an object is above a point of the ground. */
+export function covers(object, x, z) {
+    const shape = object.$shape
+    return contains(shape.outline, x, z) && (!shape.areas || shape.areas.some(area => contains(area, x, z)))
+}
 /** Returns the height of an object's highest point, in the world. */
 export function top(object) {
     const pose = geometry.frame(object.pose)
@@ -179,8 +184,7 @@ export function onMap(world, x, z) {
             [x, body ? topOf(robot, body) : robot.pose[1], z], false)
     }
     geometry.shapesOf(world)
-    const below = world.objects.filter(object => object.$shape.outline.length > 2
-        && contains(object.$shape.outline, x, z))
+    const below = world.objects.filter(object => covers(object, x, z))
         .sort((a, b) => top(b) - top(a))[0]
     return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(
     world, null, [x, 0, z], false)

@@ -127,6 +127,9 @@ final class WorldJson {
         thing.name = object.getName();
         thing.type = object.getClass().getSimpleName();
         thing.corners = JsonNumbers.points(world.getOutline(object));
+        double[][][] areas = world.getAreas(object);
+        thing.areas = areas.length == 0 ? null : Arrays.stream(areas).map(JsonNumbers::points)
+            .toArray(double[][][]::new);
         looks.add(thing, object, world);
         thing.more = object.getDrawingProperties();
         if (object instanceof Terrain) {

@@ -39,6 +39,8 @@ class WorldState extends JsonForm {
         String type;
         /** Points that give the outline from any side, in the object's frame. */
         double[][] corners;
+        /** Areas from above: corners of each in the object's frame; null if the outline's hull shows it. */
+        double[][][] areas;
         /** See {@link LookTable}; empty for a look without mesh. Shapes only. */
         String look;
         /** For example {@code textures/cardboard.png}. */

@@ -124,13 +124,13 @@ public abstract class MessagedService extends PublishingService implements Broad
     @Override
     public final Object invokeOn(boolean blockLocally, Object obj, String methodName, Object... params) {
         if (obj == null) {
-            error("%s can't be called: there is no such service", methodName);
+            failCall("%s can't be called: there is no such service", methodName);
             return null;
         }
         Object[] args = params == null ? new Object[] {null} : params;
         Method method = Methods.find(obj.getClass(), methodName, args);
         if (method == null) {
-            error(obj + " has no method " + methodName + "(" + CodecUtils.getParameterSignature(args) + ")");
+            failCall("%s has no method %s(%s)", obj, methodName, CodecUtils.getParameterSignature(args));
             return null;
         }
         try {
@@ -262,7 +262,7 @@ public abstract class MessagedService extends PublishingService implements Broad
     public Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException {
         ServiceInterface service = Runtime.getService(msg.name);
         if (service == null) {
-            error("cannot get service %s", msg.name);
+            failCall("cannot get service %s", msg.name);
             return null;
         }
         return service.invoke(msg);

@@ -4,6 +4,8 @@ package org.myrobotlab.embedded;
 import java.lang.reflect.Method;
 import java.util.Arrays;
 import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.embedded.python.PythonEngine;
+import org.myrobotlab.framework.Status;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.meta.abstracts.MetaData;
 
@@ -136,5 +138,15 @@ public abstract class NamedService implements ServiceInterface {
     @Override
     public String toString() {
         return getName();
+    }
+
+    /**
+     * Publishes an error of a call that, as in the real MyRobotLab, throws nothing. A script that made the call
+     * continues, and ends with status 1.
+     */
+    protected final Status failCall(String format, Object... args) {
+        Status status = error(format, args);
+        PythonEngine.failHere(status.detail);
+        return status;
     }
 }

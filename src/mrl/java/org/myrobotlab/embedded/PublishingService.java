@@ -42,7 +42,7 @@ public abstract class PublishingService extends NamedService {
         if (!ScriptPlace.here().isEmpty() && Arrays.stream(getClass().getMethods())
             .noneMatch(method -> method.getName().equals(topicMethod))) {
             String meant = NearestName.member(topicMethod, getClass());
-            error("%s", "does not publish " + topicMethod + (meant.isEmpty() ? "" : "; " + meant));
+            failCall("%s", "does not publish " + topicMethod + (meant.isEmpty() ? "" : "; " + meant));
         }
         addListener(new MRLListener(topicMethod, callbackName, callbackMethod));
     }
@@ -103,7 +103,7 @@ public abstract class PublishingService extends NamedService {
     public void subscribe(String topicName, String topicMethod, String callbackName, String callbackMethod) {
         ServiceInterface topic = Runtime.getService(topicName);
         if (topic == null) {
-            error("can't listen to %s of %s: there is no such service", topicMethod, topicName);
+            failCall("can't listen to %s of %s: there is no such service", topicMethod, topicName);
         } else {
             topic.addListener(topicMethod, callbackName, callbackMethod);
         }
@@ -142,7 +142,7 @@ public abstract class PublishingService extends NamedService {
 
     @Override
     public void attach(Attachable other) throws Exception {
-        error("%s can't attach %s: services of its type take no attachments", getName(), other == null ? null
+        failCall("%s can't attach %s: services of its type take no attachments", getName(), other == null ? null
             : other.getName());
     }
 

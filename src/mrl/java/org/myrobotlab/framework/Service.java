@@ -304,7 +304,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     public synchronized ServiceInterface startPeer(String key) {
         Peer peer = getPeers().get(key);
         if (peer == null) {
-            error("%s has no peer \"%s\"; its peers are %s", getName(), key, getPeerKeys());
+            failCall("%s has no peer \"%s\"; its peers are %s", getName(), key, getPeerKeys());
             return null;
         }
         return Runtime.start(peer.name, peer.type);

@@ -234,7 +234,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     public boolean execFile(String file, boolean blocking) throws IOException {
         if (!Files.isReadable(Paths.get(file))) {
-            error("script %s can't be read: there is no such file", file);
+            failCall("script %s can't be read: there is no such file", file);
             return false;
         }
         PythonEngine current = started();

@@ -81,7 +81,7 @@ public class Roomba extends Service<RoombaConfig> {
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
             TreeSet<String> known = new TreeSet<>(serial.getPortNames());
             known.remove(port);
-            error("can't connect: %s; the ports are %s%s", e.getMessage(), known, notStarted());
+            failCall("can't connect: %s; the ports are %s%s", e.getMessage(), known, notStarted());
         }
     }
 
@@ -92,7 +92,7 @@ public class Roomba extends Service<RoombaConfig> {
      */
     public boolean connect(String port, int baud, int dataBits, int stopBits, int parity) {
         portName = port;
-        error("connect with five arguments does nothing, as in every MyRobotLab; %s", remedy(baud));
+        failCall("connect with five arguments does nothing, as in every MyRobotLab; %s", remedy(baud));
         return false;
     }
 
@@ -162,14 +162,14 @@ public class Roomba extends Service<RoombaConfig> {
     public boolean send(byte[] bytes) {
         try {
             if (!serial.isConnected()) {
-                error("is not connected: %s%s", portName == null ? "call connect(port) first, then "
+                failCall("is not connected: %s%s", portName == null ? "call connect(port) first, then "
                     : "MyRobotLab's Roomba closes its port after connect(port). After it, ", remedy(rate()));
                 return false;
             }
             serial.write(bytes);
             return true;
         } catch (Exception e) {
-            error("can't send: %s", e.getMessage());
+            failCall("can't send: %s", e.getMessage());
             return false;
         }
     }

@@ -14,7 +14,6 @@ import org.myrobotlab.embedded.ErrorReasons;
 import org.myrobotlab.embedded.Registry;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.embedded.StartOptions;
-import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.ServiceTypes;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Peer;
@@ -251,8 +250,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         log.debug("{} {}", name, type, why);
         String reason = "can't start " + name + (type == null ? "" : " as " + CodecUtils.getSimpleName(type)) + ": "
             + ErrorReasons.of(why);
-        getInstance().error(reason);
-        PythonEngine.failHere(reason);
+        getInstance().failCall("%s", reason);
     }
 
     // ---- the registry
@@ -436,7 +434,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         setConfig(set);
         ServiceInterface single = getService(serviceName);
         if (serviceName != null && single == null) {
-            error("the configuration of %s can't be written: there is no such service", serviceName);
+            failCall("the configuration of %s can't be written: there is no such service", serviceName);
             return false;
         }
         List<ServiceInterface> all = serviceName == null ? getServices() : List.of(single);
@@ -446,7 +444,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
             }
             return true;
         } catch (IOException e) {
-            error("configuration %s can't be written: %s", set, e.getMessage());
+            failCall("configuration %s can't be written: %s", set, e.getMessage());
             return false;
         }
     }
@@ -460,7 +458,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         Runtime runtime = getInstance();
         ServiceConfig saved = runtime.readServiceConfig("runtime");
         if (!(saved instanceof RuntimeConfig)) {
-            runtime.error("there is no saved configuration %s: its runtime.yml is missing", set);
+            runtime.failCall("there is no saved configuration %s: its runtime.yml is missing", set);
             return;
         }
         runtime.processingConfig = true;

@@ -123,7 +123,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     @Override
     public void open(String name, int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
         if (name == null) {
-            error("no port given; the ports are " + new TreeSet<>(listPorts()));
+            failCall("no port given; the ports are %s", new TreeSet<>(listPorts()));
             return;
         }
         if (portName != null && !portName.equals(name)) {
@@ -219,7 +219,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     public boolean setParams(int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
         Port open = port;
         if (open == null) {
-            error("the port is not open: connect first");
+            failCall("the port is not open: connect first");
             return false;
         }
         try {
@@ -379,7 +379,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     public void addByteListener(String name) {
         ServiceInterface service = Runtime.getService(name);
         if (service == null) {
-            error("%s can't get bytes: there is no such service", name);
+            failCall("%s can't get bytes: there is no such service", name);
         } else if (service instanceof SerialDataListener) {
             listeners.put(service.getName(), (SerialDataListener) service);
         } else {
@@ -484,7 +484,7 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
     @Override
     public void write(byte[] data) throws Exception {
         if (connectedPorts.isEmpty()) {
-            error("can not write to a closed port: connect first");
+            failCall("can not write to a closed port: connect first");
             return;
         }
         for (Port one : connectedPorts.values()) {

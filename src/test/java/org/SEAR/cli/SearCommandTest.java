@@ -197,6 +197,18 @@ public class SearCommandTest {
     }
 
     @Test
+    public void aCallThatReportsAnErrorWithoutAnExceptionMakesTheRunExitWith1() throws Exception {
+        String serial = "s = Runtime.start('s', 'Serial')\n";
+        for (String call : List.of("Runtime.start('r', 'Roomba').connect('/dev/nowhere')", serial + "s.write(1)",
+            serial + "s.addByteListener('pyton')", serial + "s.subscribe('nobody', 'publishRX')",
+            "python.invokeOn('nobody', 'save')", "Runtime.startConfig('none')")) {
+            assertEquals(call, 1, sear(script(call + "\nprint 'goes on'"), "--port", "none"));
+            assertEquals(call, "goes on\n", out);
+        }
+        assertEquals(err, 0, sear(script(serial + "try: s.connect('/dev/nowhere')\nexcept: pass"), "--port", "none"));
+    }
+
+    @Test
     public void anErrorInACallbackIsReportedAlthoughTheScriptEnds() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\nbegun = []\n"
             + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not "

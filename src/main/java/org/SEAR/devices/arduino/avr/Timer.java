@@ -142,7 +142,7 @@ final class Timer implements Register, Avr.Peripheral {
 
     /** Ticks until the count is at a compare value or an end of its range; it leaves this value one tick later. */
     private int distance() {
-        int end = up ? (mode == Mode.NORMAL || count > top ? max : top) - count : count;
+        int end = up ? (mode == Mode.NORMAL || count > top ? max : top) - count : Math.max(0, count - 1);
         for (int i = 0; i < 2; i++) {
             int ahead = up ? compare[i] - count : count - compare[i];
             if (ahead >= 0 && ahead < end) {
@@ -207,7 +207,7 @@ final class Timer implements Register, Avr.Peripheral {
         if (com == 1) {
             ports.drive(pins[unit], !ports.driven(pins[unit]));
         } else if (com > 1) {
-            boolean set = mode == Mode.PHASE && !up;
+            boolean set = mode == Mode.PHASE && (!up || count >= top);
             ports.drive(pins[unit], (mode == Mode.PHASE || mode == Mode.FAST) ? set == (com == 2) : com == 3);
         }
     }

@@ -39,18 +39,23 @@ public final class Atmega328p extends Cpu {
         watchdog = new Watchdog(this);
         // GPIOR0 to 2, GTCCR, SMCR, MCUCR, CLKPR, PRR, OSCCAL, DIDR0 and 1
         map(new Plain(this), 0x3E, 0x4A, 0x4B, 0x43, 0x53, 0x55, 0x61, 0x64, 0x66, 0x7E, 0x7F);
+        eraseEeprom();
         powerOn();
     }
 
-    /** Sets the state of a new board: erased EEPROM, cleared SRAM, clock at 0. */
+    /** Switches its power on: cleared SRAM, clock at 0; the EEPROM keeps its bytes. */
     public void powerOn() {
         cycle = 0;
         Arrays.fill(data, (byte) 0);
-        eeprom.erase();
         ports.clearQueue();
         forgetReports();
         watchdog.setCause(POWER_ON);
         restart();
+    }
+
+    /** Erases the EEPROM. */
+    public void eraseEeprom() {
+        eeprom.erase();
     }
 
     /** Resets it by the reset line. */
@@ -84,14 +89,18 @@ public final class Atmega328p extends Cpu {
         return usart.baud(CLOCK);
     }
 
-    /** @param level that the circuit puts on a pin: 0, 1, or -1 if it does not drive it */
-    public void setInput(int port, int bit, int level) {
-        ports.input(port * 8 + bit, level);
+    /**
+     * Sets the level that the circuit puts on a pin.
+     *
+     * @param driven whether the circuit drives the pin; a floating pin is high while its pull-up is on
+     */
+    public void setInput(int port, int bit, boolean high, boolean driven) {
+        ports.input(port * 8 + bit, high, driven);
     }
 
     /** Sets a level at a later cycle. At most 64 changes wait; further ones are lost. */
     public void setInputAt(long at, int port, int bit, boolean high) {
-        ports.inputAt(at, port * 8 + bit, high ? 1 : 0);
+        ports.inputAt(at, port * 8 + bit, high);
     }
 
     /** Program counter, as a byte address. */

@@ -2,6 +2,7 @@
 package org.SEAR.devices.arduino.avr;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
@@ -25,6 +26,8 @@ abstract class Avr {
     private static final int SMCR = 0x53;
     private static final int BYTE = 0xFF;
     private static final int BITS = 8;
+    /** Reports per power-on; a program that has jumped into its data would make thousands. */
+    private static final int MOST_REPORTS = 20;
 
     /** Part of the chip that acts at certain cycles. */
     interface Peripheral {
@@ -55,6 +58,8 @@ abstract class Avr {
     private int peripheralCount;
     private final Runnable[] acknowledges = new Runnable[VECTORS];
     private final Set<String> reported = new HashSet<>();
+    /** Instructions and registers about which something was reported. */
+    private final BitSet reportedPlaces = new BitSet(FLASH_WORDS + MEMORY);
     private long nextEvent = NEVER;
     private int raised;
 
@@ -112,12 +117,20 @@ abstract class Avr {
     /** Forgets which causes were reported. */
     final void forgetReports() {
         reported.clear();
+        reportedPlaces.clear();
     }
 
     final void report(String message) {
-        if (reported.add(message)) {
+        if (reported.size() < MOST_REPORTS && reported.add(message)) {
             surroundings.report(message);
         }
+    }
+
+    /** Whether nothing was reported at an instruction, or at a register plus {@link #FLASH_WORDS}; notes the report. */
+    final boolean isFirst(int place) {
+        boolean first = !reportedPlaces.get(place);
+        reportedPlaces.set(place);
+        return first;
     }
 
     final void reportAt(int place, String message) {
@@ -224,13 +237,17 @@ abstract class Avr {
     }
 
     private int outside(int address, String verb) {
-        reportAt(pc, String.format(Locale.ROOT, "%s data address 0x%04X; legal: 0 to 0x%04X", verb, address,
-            MEMORY - 1));
+        if (isFirst(pc)) {
+            reportAt(pc, String.format(Locale.ROOT, "%s data address 0x%04X; legal: 0 to 0x%04X", verb, address,
+                MEMORY - 1));
+        }
         return BYTE;
     }
 
     private int unknown(int address) {
-        report(RegisterNames.of(address) + " is not simulated; the program reads there what it wrote");
+        if (isFirst(FLASH_WORDS + address)) {
+            report(RegisterNames.of(address) + " is not simulated; the program reads there what it wrote");
+        }
         return data[address] & BYTE;
     }
 

@@ -82,12 +82,13 @@ final class Ports implements Register, Avr.Peripheral {
         }
     }
 
-    void drive(int pin, boolean level) {
+    /** Sets the level of a timer's output at a cycle, which may be earlier than the end of the present instruction. */
+    void drive(int pin, boolean level, long at) {
         int bit = 1 << pin % BITS;
         int index = pin / BITS;
         timerLevel[index] = level ? timerLevel[index] | bit : timerLevel[index] & ~bit;
         if ((timed[index] & bit) != 0) {
-            show(index);
+            show(index, at);
         }
     }
 
@@ -95,17 +96,17 @@ final class Ports implements Register, Avr.Peripheral {
         return (timerLevel[pin / BITS] >> pin % BITS & 1) != 0;
     }
 
-    /** Sets the level that the circuit puts on a pin: 0, 1, or -1 if it does not drive the pin. */
-    void input(int pin, int level) {
+    /** Sets the level of a pin, which loses against the pull-up if the circuit does not drive the pin. */
+    void input(int pin, boolean high, boolean driven) {
         int bit = 1 << pin % BITS;
         int index = pin / BITS;
-        outside[index] = level > 0 ? outside[index] | bit : outside[index] & ~bit;
-        floating[index] = level < 0 ? floating[index] | bit : floating[index] & ~bit;
+        outside[index] = high ? outside[index] | bit : outside[index] & ~bit;
+        floating[index] = driven ? floating[index] & ~bit : floating[index] | bit;
         show(index);
     }
 
     /** Sets the level of a pin at a later cycle. */
-    void inputAt(long cycle, int pin, int level) {
+    void inputAt(long cycle, int pin, boolean high) {
         if (queued == QUEUE) {
             return;
         }
@@ -116,7 +117,7 @@ final class Ports implements Register, Avr.Peripheral {
             at--;
         }
         queueCycles[at] = cycle;
-        queueInputs[at] = pin * 2 + level;
+        queueInputs[at] = pin * 2 + (high ? 1 : 0);
         avr.schedule();
     }
 
@@ -135,7 +136,7 @@ final class Ports implements Register, Avr.Peripheral {
         queued--;
         System.arraycopy(queueCycles, 1, queueCycles, 0, queued);
         System.arraycopy(queueInputs, 1, queueInputs, 0, queued);
-        input(input / 2, input % 2);
+        input(input / 2, input % 2 == 1, true);
     }
 
     private int outputs(int index) {
@@ -143,12 +144,16 @@ final class Ports implements Register, Avr.Peripheral {
     }
 
     private int levels(int index) {
-        int open = floating[index] & port[index] | ~floating[index] & outside[index];
+        int open = floating[index] & port[index] | outside[index];
         return outputs(index) & ddr[index] | open & ~ddr[index];
     }
 
     /** Reports changed outputs, and raises the interrupts of changed levels. */
     private void show(int index) {
+        show(index, avr.cycle);
+    }
+
+    private void show(int index, long at) {
         for (int bit = 0; bit < BITS; bit++) {
             boolean high = (outputs(index) >> bit & 1) != 0;
             Surroundings.Drive now = (ddr[index] >> bit & 1) != 0
@@ -156,7 +161,7 @@ final class Ports implements Register, Avr.Peripheral {
                 : (port[index] >> bit & 1) != 0 ? Surroundings.Drive.PULLUP : Surroundings.Drive.FLOATING;
             if (shown[index * BITS + bit] != now) {
                 shown[index * BITS + bit] = now;
-                avr.surroundings.output(index, bit, now, avr.cycle);
+                avr.surroundings.output(index, bit, now, at);
             }
         }
         int now = levels(index);

@@ -2,8 +2,8 @@
 package org.SEAR.devices.arduino.avr;
 
 /**
- * Timer/counter 0, 1 or 2 with two compare units. Source: data sheet, sections 15 to 18. A flag and the output change at
- * the timer clock after the match. Without prescaler reset; without clocks at a pin, input capture and FOC bits.
+ * Timer/counter 0, 1 or 2 with two compare units. Source: data sheet, sections 15 to 18. A flag and the output change
+ * at the timer clock after the match. Without prescaler reset; without clocks at a pin, input capture and FOC bits.
  */
 final class Timer implements Register, Avr.Peripheral {
     private static final int[] PRESCALERS = {0, 1, 8, 64, 256, 1024, 0, 0};
@@ -171,7 +171,7 @@ final class Timer implements Register, Avr.Peripheral {
                 load();
                 for (int i = 0; i < 2; i++) {
                     if (com(i) > 1) {
-                        ports.drive(pins[i], com(i) == 2);
+                        ports.drive(pins[i], com(i) == 2, tick * prescaler);
                     }
                 }
             }
@@ -205,10 +205,11 @@ final class Timer implements Register, Avr.Peripheral {
     private void match(int unit) {
         int com = com(unit);
         if (com == 1) {
-            ports.drive(pins[unit], !ports.driven(pins[unit]));
+            ports.drive(pins[unit], !ports.driven(pins[unit]), tick * prescaler);
         } else if (com > 1) {
             boolean set = mode == Mode.PHASE && (!up || count >= top);
-            ports.drive(pins[unit], (mode == Mode.PHASE || mode == Mode.FAST) ? set == (com == 2) : com == 3);
+            ports.drive(pins[unit], (mode == Mode.PHASE || mode == Mode.FAST) ? set == (com == 2) : com == 3,
+                tick * prescaler);
         }
     }
 

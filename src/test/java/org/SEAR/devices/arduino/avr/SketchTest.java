@@ -9,6 +9,7 @@ import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.protocol.arduino.ProgramFile;
 import org.junit.Test;
 
 /** A compiled sketch on the simulated chip, and files that are no programs. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package org.SEAR.devices.arduino.avr;
+package org.SEAR.protocol.arduino;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -19,6 +19,12 @@ public final class ProgramFile {
     private static final int RECORD_BYTES = 5;
 
     private ProgramFile() {
+    }
+
+    /** Returns whether a file has the name of a compiled program: .hex or .elf, in any case. */
+    public static boolean isNamed(String file) {
+        String plain = file.toLowerCase(Locale.ROOT);
+        return plain.endsWith(".hex") || plain.endsWith(".elf");
     }
 
     /**

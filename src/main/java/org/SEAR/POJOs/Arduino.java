@@ -13,7 +13,9 @@ import org.SEAR.grammar.Included;
 import org.SEAR.grammar.Param;
 import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.ScriptText;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.BoardModel;
+import org.SEAR.protocol.arduino.ProgramFile;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** An Arduino on a pair of serial ports, with the robot's sensors and motors wired to its pins. */
@@ -30,6 +32,9 @@ public class Arduino extends SearObject implements SerialObject {
     @Param(doc = "program on the board: MyRobotLab's own, or Firmata 2.5 with encoders and echoes",
         values = {MRL_COMM, FIRMATA})
     private String firmware = MRL_COMM;
+    @Param(doc = "compiled sketch below assets, .hex or .elf, which an uno runs instead of the firmware",
+        text = TextRule.ASSET)
+    private String sketch;
     @Included
     private final SerialParameters serial = new SerialParameters(this, MRL_COMM_BAUD);
     @Param(doc = "a wire from a pin to a component", element = "wire", maxEntries = MAX_WIRES)
@@ -63,6 +68,10 @@ public class Arduino extends SearObject implements SerialObject {
     /** Checks the wires one by one, so that of two wires at one pin the second is the faulty one. */
     @Override
     protected void crossCheck(Faults faults) {
+        String problem = sketchProblem(sketch);
+        if (problem != null) {
+            faults.add("sketch", sketch, problem);
+        }
         List<BoardWire> good = new ArrayList<>();
         for (int i = 0; i < wires.size(); i++) {
             BoardWire wire = wires.get(i);
@@ -94,6 +103,11 @@ public class Arduino extends SearObject implements SerialObject {
 
     public String getFirmware() {
         return firmware;
+    }
+
+    /** Returns the path of the compiled sketch below assets; null if the board runs its firmware. */
+    public String getSketch() {
+        return sketch;
     }
 
     public boolean isFirmata() {
@@ -258,6 +272,39 @@ public class Arduino extends SearObject implements SerialObject {
             setBaud(deliveredBaud());
         }
         changed();
+    }
+
+    /**
+     * Lets an Uno run a compiled sketch on a simulated microcontroller, instead of the firmware. {@code Serial.begin}
+     * in the sketch sets the baud rate.
+     *
+     * @param path Intel HEX (.hex) or ELF (.elf) file below assets; null for the firmware
+     */
+    public void setSketch(String path) {
+        if (path == null) {
+            checkChangeable();
+        } else {
+            String wanted = checked("sketch", path);
+            String problem = sketchProblem(wanted);
+            if (problem != null) {
+                throw new IllegalArgumentException(label() + ": sketch is " + ParameterTable.quote(wanted)
+                    + ", legal: " + problem);
+            }
+        }
+        sketch = path;
+        changed();
+    }
+
+    /** Returns the legal values if the board can't run a file by its name, otherwise null. */
+    private String sketchProblem(String path) {
+        if (path == null || getModel() == null) {
+            return null;
+        }
+        if (getModel().getFlash() == 0) {
+            return "none for a " + board + "; SEAR simulates the microcontroller of an uno";
+        }
+        return ProgramFile.isNamed(path) ? null : "a compiled sketch, .hex or .elf" + (lower(path).endsWith(".ino")
+            ? ": compile it first, in the Arduino IDE by Sketch, Export Compiled Binary" : "");
     }
 
     private int deliveredBaud() {

@@ -246,7 +246,7 @@ public final class Cable implements SerialLine {
                 continue;
             }
             device.advance(arrival);
-            if (speed == device.getBaud()) {
+            if (device.matches(speed)) {
                 if (!device.isStarting()) {
                     baudMismatch.heard(value, arrival);
                 }
@@ -368,7 +368,7 @@ public final class Cable implements SerialLine {
         if (toHostEnd + bytes.length > toHost.length) {
             makeRoom(bytes.length);
         }
-        boolean garbled = speedOfHost() != device.getBaud();
+        boolean garbled = !device.matches(speedOfHost());
         freeAt = Math.max(freeAt, time);
         int start = toHostEnd;
         for (byte each : bytes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.devices;
 
+import java.io.IOException;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
@@ -43,6 +44,13 @@ public interface DeviceContext {
      * @return null if there is no such component, or it is no sensor
      */
     Sensor<?> sensor(String part);
+
+    /**
+     * Returns the bytes of a file below the project's assets.
+     *
+     * @throws IOException with the expected path, if there is none
+     */
+    byte[] asset(String path) throws IOException;
 
     /** Ground truth of the robot at the current step, for devices that report more than their sensor's reading. */
     Truth truth();

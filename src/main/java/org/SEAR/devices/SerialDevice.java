@@ -17,6 +17,16 @@ public interface SerialDevice {
     }
 
     /**
+     * Whether its UART receives bytes of a host's baud rate and the host receives its bytes. By default only with equal
+     * rates.
+     *
+     * @param hostBaud bits per second
+     */
+    default boolean matches(int hostBaud) {
+        return hostBaud == getBaud();
+    }
+
+    /**
      * Whether it answers immediately while time stands still (lock-step or pause). Its host waits by the computer's
      * clock, and may itself be the program that advances time. Any thread; never changes.
      */

@@ -2,10 +2,12 @@
 package org.SEAR.project;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Model;
@@ -19,6 +21,7 @@ import org.SEAR.grammar.Parameter;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.protocol.arduino.ProgramFile;
 import org.SEAR.terrain.AerialPicture;
 
 /** Checks that the pictures and models of objects exist: a missing picture is a warning, a missing model a problem. */
@@ -26,6 +29,7 @@ final class AssetCheck {
     /** Ratio of width to height, relative to that of the picture, from which a warning is due. */
     private static final double STRETCHED = 1.02;
     private static final double MILLIMETRES = 1000;
+    private static final int LARGEST_SKETCH = 16 << 20;
 
     private final Assets assets;
     private final ProblemList problems;
@@ -54,6 +58,9 @@ final class AssetCheck {
             }
             if (parsed.object instanceof FloorPlan) {
                 checkFile(parsed, ((FloorPlan) parsed.object).getPath());
+            }
+            if (parsed.object instanceof Arduino && hasSketch((Arduino) parsed.object)) {
+                checkSketch(parsed, (Arduino) parsed.object);
             }
             if (parsed.object instanceof Terrain) {
                 checkMaps(parsed, (Terrain) parsed.object);
@@ -132,6 +139,35 @@ final class AssetCheck {
                         + "SEARproject/assets/" + path);
             }
             index++;
+        }
+    }
+
+    /** Returns whether the board can run a file of this name; the object itself reports others. */
+    private static boolean hasSketch(Arduino board) {
+        return board.getSketch() != null && board.getModel() != null && board.getModel().getFlash() > 0
+            && ProgramFile.isNamed(board.getSketch());
+    }
+
+    private void checkSketch(ParsedObject parsed, Arduino board) {
+        String path = board.getSketch();
+        String legal = null;
+        if (!assets.has(path)) {
+            legal = "a file below assets, and there is none of that name: copy the compiled sketch to "
+                + "SEARproject/assets/" + path;
+        } else {
+            try (InputStream in = assets.open(path)) {
+                byte[] file = in.readNBytes(LARGEST_SKETCH + 1);
+                if (file.length > LARGEST_SKETCH) {
+                    legal = "a file of at most 16 MiB";
+                } else {
+                    ProgramFile.read(file, board.getModel().getFlash());
+                }
+            } catch (IOException | IllegalArgumentException e) {
+                legal = "a sketch compiled for an Arduino Uno (" + e.getMessage() + ")";
+            }
+        }
+        if (legal != null) {
+            problems.add(parsed.file, parsed.line("sketch"), "sketch", path, legal);
         }
     }
 

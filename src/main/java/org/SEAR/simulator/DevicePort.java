@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.simulator;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.util.function.BiConsumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.devices.Cable;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.RobotHardware;
+import org.SEAR.files.Assets;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
@@ -18,16 +21,19 @@ final class DevicePort implements DeviceContext {
     private final RobotModel robot;
     private final Sensor<?> sensor;
     private long seed;
+    private final Assets assets;
     private final BiConsumer<String, String> warnings;
 
     /** @param sensor null for a robot's drive */
-    DevicePort(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
+    DevicePort(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, Assets assets,
+        BiConsumer<String, String> warnings) {
         SerialObject serial = (SerialObject) object;
         this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(),
             serial.getUserPort());
         this.robot = robot;
         this.sensor = sensor;
         this.seed = seed;
+        this.assets = assets;
         this.warnings = warnings;
     }
 
@@ -83,6 +89,13 @@ final class DevicePort implements DeviceContext {
     public Sensor<?> sensor(String part) {
         return robot.getSensors().stream().filter(each -> each.getParameters().getName().equals(part)).findFirst()
             .orElse(null);
+    }
+
+    @Override
+    public byte[] asset(String path) throws IOException {
+        try (InputStream in = assets.open(path)) {
+            return in.readAllBytes();
+        }
     }
 
     @Override

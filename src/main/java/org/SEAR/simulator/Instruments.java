@@ -15,9 +15,9 @@ import org.SEAR.devices.Cable;
 import org.SEAR.devices.DeviceTypes;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.PartNames;
-import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.RobotModel;
@@ -38,15 +38,16 @@ final class Instruments {
     private final PartNames<Cable> devices = new PartNames<>();
     private final List<String> names;
     private final SensorTypes types = SensorTypes.load();
+    private final Assets assets;
     private final BiConsumer<String, String> warnings;
     private final ParallelSensing sideBySide;
     private final List<DevicePort> scanners = new ArrayList<>();
 
-    Instruments(List<RobotModel> robots, WorldJoints joints, long seed, WorkerPool workers,
-            BiConsumer<String, String> warnings) {
-        sideBySide = new ParallelSensing(workers);
-        this.robots = robots;
-        this.joints = joints;
+    Instruments(World world, Assets assets, long seed, BiConsumer<String, String> warnings) {
+        sideBySide = new ParallelSensing(world.getWorkers());
+        robots = world.getRobots();
+        joints = world.getJoints();
+        this.assets = assets;
         this.warnings = warnings;
         DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
@@ -77,7 +78,7 @@ final class Instruments {
         }
         Sensor<?> sensor = robot.getSensors().stream().filter(each -> each.getParameters() == part).findFirst()
             .orElse(null);
-        DevicePort port = new DevicePort(part, robot, sensor, seed, warnings);
+        DevicePort port = new DevicePort(part, robot, sensor, seed, assets, warnings);
         SerialDevice device = types.create(part, port);
         if (device != null) {
             port.getCable().attach(device);

@@ -74,7 +74,7 @@ public final class Simulation implements AutoCloseable {
         this.project = project;
         origin = new RunOrigin(seed, epochMillis, groundVisible);
         world = new World(project, seed, epochMillis, groundVisible, warnings::add);
-        instruments = new Instruments(world.getRobots(), world.getJoints(), seed, world.getWorkers(), warnings::count);
+        instruments = new Instruments(world, project.getAssets(), seed, warnings::count);
         places = new PoseLookup(project, world);
         actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();

@@ -22,6 +22,8 @@ public final class FakeContext implements DeviceContext {
     /** Sensors of other components, by name. */
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
     public Reading reading;
+    /** Files below assets, by path. */
+    public final java.util.Map<String, byte[]> assets = new java.util.HashMap<>();
     /** Seed of the simulation. */
     public long seed = 1;
     public double now;
@@ -158,6 +160,11 @@ public final class FakeContext implements DeviceContext {
     @Override
     public Sensor<?> sensor(String part) {
         return parts.get(part);
+    }
+
+    @Override
+    public byte[] asset(String path) {
+        return assets.get(path);
     }
 
     @Override

@@ -50,8 +50,8 @@ public class CodeOfTheDocsTest {
     /** Pages whose Python runs here. Each page gets a new project, and its blocks run in order. */
     private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md",
         "docs/joints.md", "docs/objects.md",
-        "docs/physics.md", "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/walls.md",
-            "docs/vehicles.md", "docs/window.md");
+        "docs/physics.md", "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/sketches.md",
+        "docs/terrain.md", "docs/vehicles.md", "docs/walls.md", "docs/window.md");
     /**
      * By page and language, and for commands also by their beginning: the class that takes the block from the page and
      * runs it.

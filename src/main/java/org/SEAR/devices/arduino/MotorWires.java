@@ -83,9 +83,18 @@ final class MotorWires {
 
         @Override
         public double volts() {
-            long phase = Math.floorMod(motor.getCounts(), (long) PHASES);
-            boolean high = role == WireRole.ENCODER_A ? phase == 1 || phase == 2 : phase >= 2;
-            return high ? BoardModel.VOLTS : 0;
+            return isHigh(motor.getCounts()) ? BoardModel.VOLTS : 0;
+        }
+
+        @Override
+        public Encoder track() {
+            return motor::getCounts;
+        }
+
+        @Override
+        public boolean isHigh(long counts) {
+            long phase = Math.floorMod(counts, (long) PHASES);
+            return role == WireRole.ENCODER_A ? phase == 1 || phase == 2 : phase >= 2;
         }
 
         @Override

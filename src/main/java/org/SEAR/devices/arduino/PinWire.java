@@ -38,6 +38,21 @@ interface PinWire {
         return Double.NaN;
     }
 
+    /** Whether a pulse at this pin makes a range sensor answer at another pin, or at the same. */
+    default boolean triggers(PinWire listened) {
+        return false;
+    }
+
+    /** The encoder with this wire as a track; null for other wires. */
+    default Encoder track() {
+        return null;
+    }
+
+    /** Level of this track at a count of its encoder. */
+    default boolean isHigh(long counts) {
+        return false;
+    }
+
     /** The encoder with this first track and the given second track; null if they don't belong to one encoder. */
     default Encoder encoder(PinWire second) {
         return null;

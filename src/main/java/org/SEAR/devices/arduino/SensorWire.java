@@ -38,14 +38,18 @@ final class SensorWire implements PinWire {
 
     @Override
     public double echo(PinWire listened) {
-        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER
-            && listened instanceof SensorWire
-            && ((SensorWire) listened).sensor == sensor && ((SensorWire) listened).role == WireRole.ECHO;
-        if (!starts) {
+        if (!triggers(listened)) {
             return Double.NaN;
         }
         double silence = role == WireRole.PING ? PING_SILENCE : HC_SILENCE;
         return Math.min(silence, context.read(sensor).echo());
+    }
+
+    @Override
+    public boolean triggers(PinWire listened) {
+        return role == WireRole.PING && listened == this || role == WireRole.TRIGGER
+            && listened instanceof SensorWire
+            && ((SensorWire) listened).sensor == sensor && ((SensorWire) listened).role == WireRole.ECHO;
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.SEAR.devices.arduino;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.ObjIntConsumer;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.BoardWire;
 import org.SEAR.devices.DeviceContext;
@@ -20,13 +21,14 @@ final class Wiring {
         this.context = context;
     }
 
-    void connect(Arduino board, Pins pins) {
+    /** @param pins gets each wire with its pin */
+    void connect(Arduino board, ObjIntConsumer<PinWire> pins) {
         for (BoardWire wire : board.getWires()) {
             PinWire end = end(wire);
             if (end == null) {
                 context.warn("pin " + wire.getPin() + ": " + wire.getPart() + " is not on its robot");
             } else {
-                pins.connect(board.getModel().pinOf(wire.getPin()), end);
+                pins.accept(end, board.getModel().pinOf(wire.getPin()));
             }
         }
     }

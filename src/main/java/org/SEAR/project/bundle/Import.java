@@ -38,7 +38,7 @@ import org.SEAR.project.xml.Xml;
  * assets and beams that exist with different content. One use, one thread.
  */
 final class Import {
-    private static final List<String> ASSETS = Arrays.asList("path", "tile", "image");
+    private static final List<String> ASSETS = Arrays.asList("path", "tile", "image", "sketch");
     private static final List<String> PORTS = Arrays.asList("uartPort", "userPort");
 
     private final Project source;

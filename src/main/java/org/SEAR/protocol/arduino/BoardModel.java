@@ -17,6 +17,7 @@ public enum BoardModel {
 
     /** Supply voltage and high level, V. */
     public static final double VOLTS = 5;
+    private static final int UNO_FLASH = 0x8000;
     /** First free pin; the pins below belong to the serial line. */
     private static final int FIRST_FREE = 2;
 
@@ -64,6 +65,11 @@ public enum BoardModel {
     /** MyRobotLab's number of this kind of board. */
     public int getMrlType() {
         return mrlType;
+    }
+
+    /** Flash of its microcontroller for a compiled sketch, bytes; 0 if SEAR does not simulate its microcontroller. */
+    public int getFlash() {
+        return this == UNO ? UNO_FLASH : 0;
     }
 
     /** Number of pins; the first is 0. */

@@ -371,8 +371,8 @@ public class SearCommandTest {
     @Test
     public void checkDistinguishesGoodExamplesBrokenFoldersAndHostileBundles() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
-        for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover",
-            "sensors", "truck", "turret"}) {
+        for (String example : new String[] {"avoider", "ball", "car", "dock", "line", "maze", "office", "ramps",
+            "rover", "sensors", "truck", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
             assertEquals(out + err, 0, here("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));

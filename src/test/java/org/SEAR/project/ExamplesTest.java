@@ -32,7 +32,7 @@ public class ExamplesTest {
 
     @Test
     public void eachScriptMakesItsBundle() throws Exception {
-        assertEquals(12, ExampleMaker.scripts(EXAMPLES).size());
+        assertEquals(13, ExampleMaker.scripts(EXAMPLES).size());
         for (Path script : ExampleMaker.scripts(EXAMPLES)) {
             ProjectSwap.delete(project.folder());
             ExampleMaker.run(script);

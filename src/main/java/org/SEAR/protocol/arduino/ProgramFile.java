@@ -95,7 +95,7 @@ public final class ProgramFile {
     /** Reads length, address, type and data of a line, and checks the sum. */
     private static int[] record(String line, int number) {
         check(line.charAt(0) == ':', number, "begins with " + shown(line.charAt(0)) + "; legal: a colon (Intel HEX)");
-        check(line.length() % 2 == 1 && line.length() > 2 * RECORD_BYTES, number,
+        check(line.length() % 2 != 0 && line.length() > 2 * RECORD_BYTES, number,
             "has " + line.length() + " characters; legal: 11, 13, 15 and so on");
         int[] bytes = new int[line.length() / 2];
         int sum = 0;

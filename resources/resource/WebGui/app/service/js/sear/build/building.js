@@ -269,7 +269,8 @@ export class Building {
     slideOnBody(x, y, free) {
         const selected = this.found()
         const isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
-        const under = isSensor && !pointing.isJoint(selected.object) && this.pointer.scene() && !this.drag.up ? this.pointer.at(x, y, selected.object) : null
+        const slides = isSensor && !pointing.isJoint(selected.object) && this.pointer.scene() && !this.drag.up
+        const under = slides ? this.pointer.at(x, y, selected.object) : null
         if (!under || under.robot !== selected.robot.name || !under.normal) {
             return false
         }

@@ -15,7 +15,8 @@ const WITH_AXIS = ['Hinge', 'Slider']
 const TAUT = 1e-3             // metres: a rope whose limit is within this of its length is taut
 // The inspector's words for parameters of joints.
 export const WORDS = {
-    first: 'first object', second: 'second object', part: 'move with it', collide: 'they collide', breakingForce: 'breaks at',
+    first: 'first object', second: 'second object', part: 'move with it', collide: 'they collide',
+    breakingForce: 'breaks at',
     lower: 'lower limit', upper: 'upper limit', restitution: 'bounce', friction: 'dry friction', damping: 'damper',
     stiffness: 'spring rate', rest: 'spring at rest at', stallForce: 'motor force', noLoadSpeed: 'motor speed',
     gear: 'follows joint', ratio: 'gear ratio',
@@ -85,8 +86,8 @@ export function tautened(values, set) {
 }
 
 /**
- * A joint being made: its objects, as clicked or chosen by name, and where they were clicked. Two parts of one robot, or
- * a robot and its part, get a joint within the robot.
+ * A joint being made: its objects, as clicked or chosen by name, and where they were clicked. Two parts of one robot,
+ * or a robot and its part, get a joint within the robot.
  */
 export class Joining {
     constructor() {
@@ -206,9 +207,9 @@ export function showMarks(scene, world, building) {
         mark.ball.scale.set(BALL * away, BALL * away, BALL * away)
         mark.material.color.set(mark.joint.broken ? BROKEN : MARK)
         const along = hasAxis(mark.joint.type) ? geometry.rotate(pose, [0, AXIS * away, 0]) : [0, 0, 0]
-        const ends = mark.joint.type === 'Rope' ? [pose, end] : [-1, 1].map(side =>
+        const line = mark.joint.type === 'Rope' ? [pose, end] : [-1, 1].map(side =>
             along.map((metres, i) => pose[i] + side * metres))
-        ends.forEach((point, i) => mark.line.geometry.vertices[i].set(point[0], point[1], point[2]))
+        line.forEach((point, i) => mark.line.geometry.vertices[i].set(point[0], point[1], point[2]))
         mark.line.geometry.verticesNeedUpdate = true
     })
 }

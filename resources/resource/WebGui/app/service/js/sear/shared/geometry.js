@@ -81,7 +81,7 @@ function outline(object, pose) {
 /** Returns the areas of an object that its outline does not show, on the ground; null without any. */
 function areas(object) {
     const pose = frame(object.pose)
-    return object.areas ? object.areas.map(area => area.map(corner => onGround(pose, corner))) : null
+    return object.areas ? object.areas.map(ring => ring.map(corner => onGround(pose, corner))) : null
 }
 
 function halfHull(points) {

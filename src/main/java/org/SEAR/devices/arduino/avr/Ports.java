@@ -136,7 +136,7 @@ final class Ports implements Register, Avr.Peripheral {
         queued--;
         System.arraycopy(queueCycles, 1, queueCycles, 0, queued);
         System.arraycopy(queueInputs, 1, queueInputs, 0, queued);
-        input(input / 2, input % 2 == 1, true);
+        input(input / 2, input % 2 != 0, true);
     }
 
     private int outputs(int index) {

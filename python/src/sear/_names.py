@@ -66,6 +66,8 @@ OBJECTS = (
     "SurfaceSensor",
     "Terrain",
     "VoltagePoint",
+    "Wall",
+    "WallCorner",
     "Walls",
     "Wheel",
     "Wirable",

@@ -7,6 +7,7 @@ import {Joining, anglesOf, ends, pick, pointed, tautened} from
     '../../../resources/resource/WebGui/app/service/js/sear/build/joints.js'
 import {mounted, tilted, withGround} from '../../../resources/resource/WebGui/app/service/js/sear/build/mounting.js'
 import * as places from '../../../resources/resource/WebGui/app/service/js/sear/build/places.js'
+import {Drawing} from '../../../resources/resource/WebGui/app/service/js/sear/build/walls.js'
 import {besideBody, drivenWheels, wheelToTurn} from
     '../../../resources/resource/WebGui/app/service/js/sear/build/wheels.js'
 import {frame, rotate} from '../../../resources/resource/WebGui/app/service/js/sear/shared/geometry.js'
@@ -18,6 +19,27 @@ import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/s
 function written(object, values, live, set) {
     return places.edit(places.of({robot: null, object}, values, live), set)
 }
+
+test('the corners of a wall snap to corners, to the grid and to straight lines', () => {
+    const snapped = value => Math.round(value * 20) / 20
+    const world = {objects: [{line: [[0, 0], [2, 0]], pose: [1, 0, 1, 0, 90, 0]}, {}]}
+    const drawing = new Drawing()
+    const snap = (point, free) => drawing.snap(world, point, free ? value => value : snapped, free).map(places.plain)
+    assert.deepEqual(snap([1.1, 1.1]), ['1', '1'])
+    assert.deepEqual(snap([1.02, -0.9]), ['1', '-1'])
+    assert.deepEqual(snap([1.1, 1.1], true), ['1.1', '1.1'])
+    drawing.click([5, 5], 0.2)
+    assert.deepEqual(snap([7.01, 5.2]), ['7', '5'])
+    assert.deepEqual(snap([7, 7.1]), ['7.05', '7.05'])
+    assert.deepEqual(snap([7.01, 5.92]), ['7', '5.9'])
+    assert.equal(drawing.isWhole(), false)
+    assert.equal(drawing.click([7, 5]), false)
+    assert.equal(drawing.click([7, 7]), false)
+    assert.equal(drawing.click([5, 5]), true)
+    drawing.takeBack()
+    assert.deepEqual(drawing.values(), {x: '5', y: '0.2', z: '5', corner: [{x: '0', z: '0'}, {x: '2', z: '0'},
+        {x: '2', z: '2'}]})
+})
 
 test('a place on Earth is written as such, and a height as on the ground', () => {
     const onEarth = {x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}

@@ -63,6 +63,9 @@ def draw_Model():
 
 def draw_Maze():
     Maze('maze', ' _ _ _ _\n|  _  | |\n| |  _| |\n|_ _ _  |\n|_ _ _ _|').setHeight(0.25)
+def draw_Wall():
+    wall = Wall('wall', [(-0.8, -0.8), (0.8, -0.8), (0.8, 0.8), (0, 0.8)], 0.15, 0.7)
+    wall.setColor('#c98a5a')
 def draw_FloorPlan():
     box(WHITE, 1.5, 2, 0.02, 0, -0.02, 0)
     plan = Maze('plan', ' _ _ _ _ _ _\n|   |       |\n|   |_   _ _|\n|_      |   |\n|   |   |   |\n|_ _|_ _|_ _|', 0.3)

@@ -323,7 +323,7 @@ public abstract class SearObject {
         return properties;
     }
 
-    /** Adds the kind's {@link #getDrawingProperties}: numbers, texts and booleans. Most kinds have none. */
+    /** Adds the kind's {@link #getDrawingProperties}: numbers, texts, booleans and arrays. Most kinds have none. */
     protected void addDrawingProperties(Map<String, Object> properties) {
     }
 

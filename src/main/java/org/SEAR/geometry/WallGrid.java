@@ -88,25 +88,25 @@ public final class WallGrid {
      * @return null if it has more than {@link #MOST} rectangles
      */
     public Triangles surface(double half) {
-        Quads quads = new Quads();
-        for (int i = 0; i <= x.length - 1 && quads.count <= MOST; i++) {
+        WallQuads quads = new WallQuads();
+        for (int i = 0; i <= x.length - 1 && quads.size() <= MOST; i++) {
             sidesAlongZ(i, half, quads);
         }
-        for (int k = 0; k <= z.length - 1 && quads.count <= MOST; k++) {
+        for (int k = 0; k <= z.length - 1 && quads.size() <= MOST; k++) {
             sidesAlongX(k, half, quads);
         }
-        double[][] tops = quads.count > MOST ? null : rectangles(MOST - quads.count);
+        double[][] tops = quads.size() > MOST ? null : rectangles(MOST - quads.size());
         if (tops == null) {
             return null;
         }
         for (double[] top : tops) {
-            quads.top(top[0], top[1], top[2], top[3], half);
+            quads.top(new double[][] {{top[0], top[2]}, {top[0], top[3]}, {top[1], top[3]}, {top[1], top[2]}}, half);
         }
         return quads.triangles();
     }
 
     /** Adds the sides in the plane of line i along x. */
-    private void sidesAlongZ(int i, double half, Quads quads) {
+    private void sidesAlongZ(int i, double half, WallQuads quads) {
         int start = 0;
         int before = 0;
         for (int k = 0; k < z.length; k++) {
@@ -123,7 +123,7 @@ public final class WallGrid {
         }
     }
 
-    private void sidesAlongX(int k, double half, Quads quads) {
+    private void sidesAlongX(int k, double half, WallQuads quads) {
         int start = 0;
         int before = 0;
         for (int i = 0; i < x.length; i++) {
@@ -198,53 +198,5 @@ public final class WallGrid {
             found.add(new double[] {x[i], x[last], z[k], z[end]});
         }
         return found.size() > most ? null : found.toArray(new double[0][]);
-    }
-
-    /** Growing list of rectangles. */
-    private static final class Quads {
-        private float[] corners = new float[1 << 12];
-        private int count;
-
-        private void corner(int n, double x, double y, double z) {
-            int at = 12 * count + 3 * n;
-            corners[at] = (float) x;
-            corners[at + 1] = (float) y;
-            corners[at + 2] = (float) z;
-        }
-
-        private void grow() {
-            if (12 * count + 12 > corners.length) {
-                corners = Arrays.copyOf(corners, 2 * corners.length);
-            }
-        }
-
-        /** Adds a side, from left to right for those who look at it from outside. */
-        void side(double fromX, double fromZ, double toX, double toZ, double half) {
-            grow();
-            corner(0, fromX, -half, fromZ);
-            corner(1, toX, -half, toZ);
-            corner(2, toX, half, toZ);
-            corner(3, fromX, half, fromZ);
-            count++;
-        }
-
-        void top(double lowX, double highX, double lowZ, double highZ, double half) {
-            grow();
-            corner(0, lowX, half, lowZ);
-            corner(1, lowX, half, highZ);
-            corner(2, highX, half, highZ);
-            corner(3, highX, half, lowZ);
-            count++;
-        }
-
-        Triangles triangles() {
-            int[] indices = new int[6 * count];
-            for (int i = 0; i < count; i++) {
-                for (int n = 0; n < 6; n++) {
-                    indices[6 * i + n] = 4 * i + (n < 3 ? n : n == 3 ? 0 : n - 2);
-                }
-            }
-            return new Triangles(Arrays.copyOf(corners, 12 * count), indices);
-        }
     }
 }

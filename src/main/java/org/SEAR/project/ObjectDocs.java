@@ -31,6 +31,7 @@ import org.SEAR.POJOs.SerialObject;
 import org.SEAR.POJOs.SerialParameters;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.VoltagePoint;
+import org.SEAR.POJOs.WallCorner;
 import org.SEAR.files.AtomicFile;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Parameter;
@@ -156,7 +157,7 @@ public final class ObjectDocs {
                 .append(" m | ").append(beam.getDescription()).append(" |\n");
         }
         for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, DriveErrors.class,
-            BoardWire.class)) {
+            BoardWire.class, WallCorner.class)) {
             section(out, type);
         }
         out.append("\n## Texts\n\n| text | legal |\n|---|---|\n");

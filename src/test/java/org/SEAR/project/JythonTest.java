@@ -44,7 +44,7 @@ public class JythonTest {
         String expected = new String(Files.readAllBytes(resource("every_constructor.txt")), StandardCharsets.UTF_8);
         assertEquals("see " + made, expected, all.toString());
         Project read = Project.read(project.folder());
-        assertEquals(55, read.getEnvironment().size());
+        assertEquals(56, read.getEnvironment().size());
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(11, robot.getWheels().size());

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, LIDAR, \
-    Led, LineSensor, Marker, Maze, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wheel
+    Led, LineSensor, Marker, Maze, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wall, WallCorner, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -301,3 +301,7 @@ plan.setHeight(2.5)
 Maze("maze", " _ _\n|_|_|\n250")
 maze = Maze("maze", " _ _\n|S| |\n|___|", 0.2)
 maze.setThickness(0.02)
+Wall("wall", [(0, 0), (2, 0)])
+wall = Wall("wall", [WallCorner(0, 0), [2, 0], (2, 1.5)], 0.2, 2)
+wall.setCorners([(0, 0), (3, 0)])
+wall.setThickness(0.15)

@@ -22,6 +22,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Wall;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.SurfaceMesh;
@@ -46,6 +47,7 @@ public final class Solids implements ObjectTypes {
         add(Picture.class, (picture, sources) -> BoxSolid.of(picture));
         add(Terrain.class, (terrain, sources) -> TerrainSolid.of(sources.ground()));
         add(Floor.class, (floor, sources) -> BoxSolid.of(floor));
+        add(Wall.class, (wall, sources) -> WallLineSolid.of(wall));
         add(Maze.class, (maze, sources) -> WallsSolid.of(maze));
         add(FloorPlan.class, (plan, sources) -> WallsSolid.of(plan, sources.models().getAssets()));
         add(Model.class, (model, sources) -> MeshSolid.of(model, sources.models()));

@@ -19,6 +19,8 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Maze;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.POJOs.Wall;
+import org.SEAR.POJOs.WallCorner;
 import org.SEAR.physics.RaycastScenes;
 import org.SEAR.plan.Outline;
 import org.SEAR.project.Project;
@@ -190,6 +192,37 @@ public class WallsTest {
         assertTrue(ProjectScript.of(Project.read(project.folder())).contains("Maze"));
         String wrong = assertThrows(IllegalArgumentException.class, () -> new Maze("no", " _\n|#|")).getMessage();
         assertTrue(wrong, wrong.contains("'#' at place 2"));
+    }
+
+    @Test
+    public void aWallGoesFromCornerToCorner() throws Exception {
+        Wall wall = new Wall("wall", List.of(List.of(0, 0), List.of(4, 0), new WallCorner(4, 3)), 0.2, 1.5);
+        wall.move(1, 0, 1);
+        Sphere ball = new Sphere("ball", 0.05, 1);
+        ball.move(3, 0.05, 1.5);
+        ball.setVelocity(0, 0, -1);
+        new Floor("floor", 20, 20);
+        Simulation world = Worlds.start(project);
+        RaycastScenes scenes = Worlds.scenes(world);
+        assertEquals(0.9, scenes.beams.cast(3, 0.5, 2, 0, 0, -1, 9, -1, new Hit()), 1e-6);
+        assertEquals("past the sharp corner", 8.9, scenes.beams.cast(5.05, 0.5, -8, 0, 0, 1, 99, -1, new Hit()), 1e-6);
+        assertEquals(0.5, scenes.beams.cast(3, 2, 1, 0, -1, 0, 9, -1, new Hit()), 1e-6);
+        assertEquals("over the wall", Double.POSITIVE_INFINITY,
+            scenes.beams.cast(3, 1.6, 2, 0, 0, -1, 99, -1, new Hit()), 0);
+        double least = 9;
+        for (int i = 0; i < 120; i++) {
+            world.step();
+            least = Math.min(least, world.getPose("ball").z);
+        }
+        assertEquals("the ball stops at the wall", 1.15, least, 1e-3);
+        String script = ProjectScript.of(Project.read(project.folder()));
+        assertTrue(script, script.contains("WallCorner(4, 3)"));
+        for (List<?> wrong : List.of(List.of(), List.of(List.of(0, 0)), List.of(List.of(0, 0), List.of(0, 0)),
+            List.of(List.of(0, 0), "x"), List.of(List.of(0, 0), List.of(1e5, 0)))) {
+            String message = assertThrows(IllegalArgumentException.class, () -> wall.setCorners(wrong)).getMessage();
+            assertTrue(message, message.contains("Wall \"wall\"") && message.contains("legal: "));
+            assertThrows(IllegalArgumentException.class, () -> new Wall("other", wrong));
+        }
     }
 
     @Test

@@ -6,6 +6,7 @@ import * as handles from './handles.js'
 import * as joints from './joints.js'
 import {mounted} from './mounting.js'
 import * as places from './places.js'
+import {show} from './walls.js'
 import * as pointing from '../world/pointing.js'
 
 const CLICK = 4               // pixels: a shorter mouse movement is a click
@@ -63,6 +64,7 @@ export class Building {
         const selected = this.found()
         handles.showAids(scene, seen, this.view.building)
         joints.showMarks(scene, seen, this.view.building)
+        show(scene, this.palette.armed && this.palette.armed.drawing)
         balance.show(scene, selected)
         handles.show(scene, selected, selected && this.extent(selected), selected && this.spots(selected))
     }
@@ -73,6 +75,9 @@ export class Building {
         const toScreen = (x, z) => this.view.toScreen(x, z)
         if (this.view.building) {
             joints.drawMarks(pen, this.world.shown(), toScreen)
+            if (this.palette.armed && this.palette.armed.drawing) {
+                this.palette.armed.drawing.draw(pen, toScreen)
+            }
         }
         if (selected) {
             handles.draw(pen, selected, this.extent(selected), this.spots(selected), toScreen)
@@ -371,6 +376,7 @@ export class Building {
         if (this.palette.armed) {
             if (under) {
                 this.palette.place(under, event.altKey)
+                this.picture.repaint()
             }
         } else {
             this.edits.select(this.choice(under && under.who))
@@ -403,6 +409,10 @@ export class Building {
     moved(event) {
         if (this.grip && Math.abs(event.clientX - this.grip.x) + Math.abs(event.clientY - this.grip.y) >= CLICK) {
             this.grip.moved = true
+        }
+        if (!this.grip && event.target === this.pointer.canvas()
+            && this.palette.hover(this.pointer.under(event), event.altKey)) {
+            this.picture.repaint()
         }
         if (this.drag) {
             event.stopPropagation()
@@ -500,6 +510,8 @@ export class Building {
         const key = event.key.length === 1 ? event.key.toLowerCase() : event.key
         if (command && (key === 'z' || key === 'y')) {
             this.edits.takeBack(key === 'y' || event.shiftKey ? 'redo' : 'undo')
+        } else if (!command && this.palette.wallKey(key)) {
+            this.picture.repaint()
         } else if (key === 'Escape' && (this.palette.armed || this.edits.selected)) {
             this.palette.disarm()
             this.edits.select(null)

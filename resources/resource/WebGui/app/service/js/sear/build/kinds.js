@@ -25,7 +25,7 @@ const WORDS = {
     Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
     ForceTorque: 'Force and torque',
     ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal', Gravity: 'Gravity',
-    Maze: 'Maze', FloorPlan: 'Floor plan'
+    Maze: 'Maze', FloorPlan: 'Floor plan', Wall: 'Wall'
 }
 // Other search words.
 const ALSO = {
@@ -47,6 +47,7 @@ const ALSO = {
     Hinge: 'joint revolute door axle', Slider: 'joint prismatic lift rail', BallJoint: 'joint hitch trailer spherical',
     FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
     FloorPlan: 'map ros walls picture maze office yaml pgm', Maze: 'walls labyrinth micromouse eyesim',
+    Wall: 'line fence room house',
     ForceTorque: 'joint wrench load cell scale strain',
     ball: 'football toy', table: 'desk furniture', ramp: 'slope hill climb', coneAlley: 'slalom pylon lane',
     goal: 'football gate', Gravity: 'moon mars weightless weight acceleration world'

@@ -5,6 +5,7 @@ import {Joining, WORLD, ends} from './joints.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
 import {THINGS, isThing, thingEdit} from './things.js'
+import {Drawing} from './walls.js'
 import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
 import * as pointing from '../world/pointing.js'
 
@@ -78,7 +79,8 @@ export class Palette {
         }
         const asked = type && type.kind !== 'joint' ? type.parameters.filter(parameter => this.isAsked(parameter)) : []
         this.armed = {name, type, template, fields: asked.map(parameter => ({p: parameter, text: ''})),
-            joining: type && type.kind === 'joint' ? new Joining() : null}
+            joining: type && type.kind === 'joint' ? new Joining() : null,
+            drawing: type && type.type === 'Wall' ? new Drawing() : null}
         this.edits.select(null)
     }
 
@@ -133,7 +135,7 @@ export class Palette {
 
     armedText() {
         const armed = this.armed
-        return !armed ? '' : armed.joining ? armed.joining.text()
+        return !armed ? '' : armed.joining ? armed.joining.text() : armed.drawing ? armed.drawing.text()
             : this.isForRobots() ? 'Click on a robot to mount it there' : 'Click where to place it'
     }
 
@@ -166,6 +168,47 @@ export class Palette {
         })
     }
 
+    /** Follows the mouse while a wall is drawn. @param under what is there @return whether one is drawn */
+    hover(under, free) {
+        const drawing = this.armed && this.armed.drawing
+        if (drawing) {
+            drawing.next = under && drawing.corners.length ? this.corner(under, free) : null
+        }
+        return Boolean(drawing)
+    }
+
+    /** Returns where a wall's corner goes. */
+    corner(under, free) {
+        return this.armed.drawing.snap(this.world.shown(), [under.point[0], under.point[2]],
+            value => this.snapped(value, free), free)
+    }
+
+    /** Makes the wall that is drawn. */
+    endWall() {
+        const drawing = this.armed && this.armed.drawing
+        if (drawing && drawing.isWhole()) {
+            this.edits.edit({'do': 'add', type: 'Wall', set: drawing.values()}, answer => {
+                this.edits.selectAfter(answer)
+                if (answer.done) {
+                    this.leave()
+                }
+            })
+        }
+    }
+
+    /** Handles a key while a wall is drawn. @return whether it did */
+    wallKey(key) {
+        const drawing = this.armed && this.armed.drawing
+        if (drawing && key === 'Enter') {
+            this.endWall()
+        } else if (drawing && key === 'Backspace') {
+            drawing.takeBack()
+        } else {
+            return false
+        }
+        return true
+    }
+
     /** Returns a parameter's initial number in a new object. */
     initial(type, name) {
         const found = type.parameters.filter(parameter => parameter.name === name)[0]
@@ -192,6 +235,12 @@ export class Palette {
         if (armed.joining) {
             if (armed.joining.click(at)) {
                 this.join(free)
+            }
+            return
+        }
+        if (armed.drawing) {
+            if (armed.drawing.click(this.corner(at, free), at.point[1])) {
+                this.endWall()
             }
             return
         }

@@ -5,15 +5,14 @@ import java.util.Arrays;
 import org.SEAR.POJOs.Wheel;
 
 /**
- * Checked drive command of a script: {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}.
- * Immutable, any thread.
+ * Checked drive command of a script: {@code driveStraight}, {@code spin}, {@code setWheelSpeeds}, {@code drive} or
+ * {@code driveVelocity}. Immutable, any thread.
  */
 public final class DriveOrder {
     /** Largest wheel speed over ground, m/s. */
     private static final double MAX_SPEED = 100;
     /** Largest turn rate of a robot, degrees per second. */
     private static final double MAX_SPIN = 3600;
-    private static final String SPIN = "spin";
     private static final String ALL_IN_THE_MIDDLE = ": all its driven wheels are in the middle. Move them apart with "
         + "wheel.move(x, y, z): x > 0 is left, x < 0 is right";
 
@@ -24,11 +23,18 @@ public final class DriveOrder {
     public final boolean moves;
     /** Whether the values are the speeds of both sides, not speed and radius of a circle. */
     public final boolean wheels;
+    /** Whether the first value is the turn rate of a robot that turns in place, degrees per second. */
+    private final boolean inPlace;
     private final double first;
     private final double second;
 
     private DriveOrder(String call, boolean wheels, double first, double second, double... values) {
+        this(call, wheels, false, first, second, values);
+    }
+
+    private DriveOrder(String call, boolean wheels, boolean inPlace, double first, double second, double... values) {
         this.call = call;
+        this.inPlace = inPlace;
         this.values = Arrays.toString(values);
         this.moves = first != 0 || wheels && second != 0;
         this.wheels = wheels;
@@ -45,7 +51,7 @@ public final class DriveOrder {
     /** @param degrees per second, + to the left */
     public static DriveOrder spin(double degrees) {
         check("spin: speed", degrees, MAX_SPIN, "degrees per second");
-        return new DriveOrder(SPIN, false, degrees, 0, degrees);
+        return new DriveOrder("spin", false, true, degrees, 0, degrees);
     }
 
     /** @param left m/s over ground, + forward, likewise right */
@@ -69,6 +75,22 @@ public final class DriveOrder {
         return new DriveOrder("drive", false, speed, radius, speed, radius);
     }
 
+    /**
+     * Returns a command to drive at a speed and a turn rate, as a ROS Twist has them.
+     * @param speed m/s, + forward
+     * @param degrees per second, + to the left
+     */
+    public static DriveOrder velocity(double speed, double degrees) {
+        check("driveVelocity: speed", speed, MAX_SPEED, "m/s");
+        check("driveVelocity: turn rate", degrees, MAX_SPIN, "degrees per second");
+        String call = "driveVelocity";
+        if (speed == 0 && degrees != 0) {
+            return new DriveOrder(call, false, true, degrees, 0, speed, degrees);
+        }
+        double radius = degrees == 0 ? Double.POSITIVE_INFINITY : speed / Math.toRadians(degrees);
+        return new DriveOrder(call, false, speed, radius, speed, degrees);
+    }
+
     private static void check(String what, double value, double most, String unit) {
         if (!(Math.abs(value) <= most)) {
             throw new IllegalArgumentException(what + " is " + value + ", legal: " + -most + " to " + most
@@ -83,7 +105,7 @@ public final class DriveOrder {
     public double getFirst(Robot driven) {
         String name = driven.getObject().getName();
         checkWheels(driven, wheels ? first : 0, wheels ? second : 0);
-        if (!call.equals(SPIN)) {
+        if (!inPlace) {
             return first;
         }
         double base = driven.getHardware().getTrack();

@@ -372,6 +372,33 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
+     * Drives the first robot at a speed and a turn rate until the next command, as ROS's {@code cmd_vel} does. Steered
+     * wheels follow the circle.
+     *
+     * @param speed m/s, + forward, -100 to 100
+     * @param degPerSecond degrees per second, + left, -3600 to 3600
+     * @example sear.driveVelocity(0.2, 30)
+     */
+    public void driveVelocity(double speed, double degPerSecond) {
+        driveVelocity(null, speed, degPerSecond);
+    }
+
+    /**
+     * Drives a robot at a speed and a turn rate until the next command, as ROS's {@code cmd_vel} does. Steered wheels
+     * follow the circle.
+     *
+     * @param robot name
+     * @param speed m/s, + forward, -100 to 100
+     * @param degPerSecond degrees per second, + left, -3600 to 3600
+     * @throws IllegalArgumentException unknown robot, illegal speed or rate, or a turn in place by a robot without
+     *     driven wheels on both sides
+     * @example sear.driveVelocity("myRoomba", 0.2, -30)
+     */
+    public void driveVelocity(String robot, double speed, double degPerSecond) {
+        calls.act(() -> parts.driving().give(robot, DriveOrder.velocity(speed, degPerSecond)));
+    }
+
+    /**
      * Steers the first robot until the next command.
      *
      * @param degrees virtual middle wheel's angle, + left (inner wheel more, outer less)

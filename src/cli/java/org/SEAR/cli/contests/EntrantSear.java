@@ -93,6 +93,10 @@ public final class EntrantSear {
         give(DriveOrder.circle(speed, radius));
     }
 
+    public void driveVelocity(double speed, double degPerSecond) {
+        give(DriveOrder.velocity(speed, degPerSecond));
+    }
+
     private void give(DriveOrder order) {
         act(world -> world.post(DriveCommand.of(world, entrant.robot(), order)));
     }

@@ -88,6 +88,32 @@ public class DrivingCallsTest {
         assertArrayEquals(Arrays.copyOf(stood, 3), Arrays.copyOf(sear.getPose("roomba"), 3), 1e-3);
     }
 
+    /** Forwards and backwards, to both sides: ry grows by the turn rate, and the circle has its radius. */
+    @Test
+    public void aSpeedAndATurnRateAreHeld() {
+        double[][] velocities = {{0.2, 30}, {0.2, -30}, {-0.2, 30}, {0, -45}, {0.3, 0}};
+        for (double[] velocity : velocities) {
+            sear.driveVelocity(velocity[0], velocity[1]);
+            sear.simSleep(1);
+            double[] from = sear.getPose("roomba");
+            sear.simSleep(2);
+            double[] to = sear.getPose("roomba");
+            String what = Arrays.toString(velocity);
+            assertEquals(what, 2 * velocity[1], wrapped(to[4] - from[4]), 2);
+            double turn = Math.toRadians(velocity[1]);
+            double chord = velocity[1] == 0 ? 2 * velocity[0] : 2 * velocity[0] / turn * Math.sin(turn);
+            assertEquals(what, Math.abs(chord), Math.hypot(to[0] - from[0], to[2] - from[2]), 0.01);
+            sear.driveVelocity("roomba", 0, 0);
+            sear.simSleep(0.5);
+        }
+        double[] stood = sear.getPose("roomba");
+        sear.simSleep(1);
+        assertArrayEquals(Arrays.copyOf(stood, 3), Arrays.copyOf(sear.getPose("roomba"), 3), 1e-3);
+        assertTrue(refused(() -> sear.driveVelocity(0.1, 4000)).contains(
+            "driveVelocity: turn rate is 4000.0, legal: -3600.0 to 3600.0 degrees per second"));
+        assertTrue(refused(() -> sear.driveVelocity(Double.NaN, 0)).contains("driveVelocity: speed is NaN"));
+    }
+
     @Test
     public void theLastCallOrCommandCounts() throws Exception {
         Serial serial = (Serial) Runtime.start("drivingSerial", "Serial");

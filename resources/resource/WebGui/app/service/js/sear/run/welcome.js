@@ -18,7 +18,7 @@ const EXAMPLES = {
     truck: ['Truck', 'A truck with a trailer: try to reverse.'],
     line: ['Line', 'A black line on the floor to follow.'],
     rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
-    avoider: ['Arduino sketch', ''],
+    avoider: ['Arduino sketch', 'A rover that its own compiled Arduino sketch drives.'],
     turret: ['Turret', 'A distance sensor turned by a servo.'],
     ball: ['Ball', 'A rover with cameras, and a red ball to follow.'],
     dock: ['Docking station', 'A marker at a dock, and a robot with a camera.']

@@ -35,10 +35,11 @@ public final class Atmega328p extends Cpu {
         new Timer(this, ports, 2, 0xB0, new int[] {7, 8, 9}, PORT_B + 3, PORT_D + 3);
         usart = new Usart(this);
         new Adc(this);
+        new Twi(this);
         eeprom = new Eeprom(this);
         watchdog = new Watchdog(this);
-        // GPIOR0 to 2, GTCCR, SMCR, MCUCR, CLKPR, PRR, OSCCAL, DIDR0 and 1
-        map(new Plain(this), 0x3E, 0x4A, 0x4B, 0x43, 0x53, 0x55, 0x61, 0x64, 0x66, 0x7E, 0x7F);
+        // GPIOR0 to 2, GTCCR, SMCR, MCUCR, CLKPR, PRR, OSCCAL, DIDR0 and 1, TWAR, TWAMR
+        map(new Plain(this), 0x3E, 0x4A, 0x4B, 0x43, 0x53, 0x55, 0x61, 0x64, 0x66, 0x7E, 0x7F, 0xBA, 0xBD);
         eraseEeprom();
         powerOn();
     }

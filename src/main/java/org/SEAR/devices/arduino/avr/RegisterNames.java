@@ -6,10 +6,8 @@ import java.util.Map;
 
 /** Names of registers that are not simulated. Source: register summary in the data sheet. */
 final class RegisterNames {
-    private static final Map<Integer, String> NAMES = Map.ofEntries(Map.entry(0x4C, "SPCR"), Map.entry(0x4D, "SPSR"),
-        Map.entry(0x4E, "SPDR"), Map.entry(0xB6, "ASSR"), Map.entry(0xB8, "TWBR"), Map.entry(0xB9, "TWSR"),
-        Map.entry(0xBA, "TWAR"), Map.entry(0xBB, "TWDR"), Map.entry(0xBC, "TWCR"), Map.entry(0xBD, "TWAMR"),
-        Map.entry(0x50, "ACSR"), Map.entry(0x57, "SPMCSR"));
+    private static final Map<Integer, String> NAMES = Map.of(0x4C, "SPCR", 0x4D, "SPSR", 0x4E, "SPDR", 0x50, "ACSR",
+        0x57, "SPMCSR", 0xB6, "ASSR");
 
     private RegisterNames() {
     }

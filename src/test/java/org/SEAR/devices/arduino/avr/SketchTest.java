@@ -19,8 +19,8 @@ public class SketchTest {
     private final List<Long> rises = new ArrayList<>();
     private final List<Long> falls = new ArrayList<>();
 
-    private static byte[] hex() throws IOException {
-        try (InputStream in = SketchTest.class.getResourceAsStream("serial.hex")) {
+    private static byte[] hex(String name) throws IOException {
+        try (InputStream in = SketchTest.class.getResourceAsStream(name)) {
             return in.readAllBytes();
         }
     }
@@ -54,7 +54,7 @@ public class SketchTest {
     /** The text is that of simavr 1.6, except the voltage. */
     @Test
     public void aSketchPrintsAndMakesPulses() throws IOException {
-        Atmega328p chip = chip(ProgramFile.read(hex(), Atmega328p.FLASH_BYTES));
+        Atmega328p chip = chip(ProgramFile.read(hex("serial.hex"), Atmega328p.FLASH_BYTES));
         chip.run(20_000_000);
         assertEquals("4.50\r\n512\r\n200\r\n400\r\n601\r\n800\r\n1001\r\n1201\r\n", text.toString());
         assertEquals(List.of(), reports);
@@ -64,10 +64,18 @@ public class SketchTest {
         assertEquals("duty 64 of 255", 128 * 64, fall - rises.get(last));
     }
 
+    /** Wire: no device acknowledges its address (error 2), and none sends a byte. */
+    @Test
+    public void noDeviceIsOnTheTwoWireBus() throws IOException {
+        chip(ProgramFile.read(hex("scan.hex"), Atmega328p.FLASH_BYTES)).run(16_000_000);
+        assertEquals("0 0 126 0 0 0 0\r\n", text.toString());
+        assertEquals(List.of(), reports);
+    }
+
     @Test
     public void aChangedDigitIsRefusedInWords() throws IOException {
         Random random = new Random(60);
-        byte[] good = hex();
+        byte[] good = hex("serial.hex");
         for (int i = 0; i < 2000; i++) {
             byte[] bad = good.clone();
             int at = random.nextInt(bad.length);

@@ -10,6 +10,7 @@ import {show} from './walls.js'
 import * as pointing from '../world/pointing.js'
 
 const CLICK = 4               // pixels: a shorter mouse movement is a click
+const TAP = 12                // pixels: the same for a finger
 const STEP = 0.05             // metres per arrow key; a fifth of it with the Alt key
 const TURN = 15               // degrees
 const SMALLEST = 0.05         // minimum of a snapped size, metres
@@ -395,7 +396,10 @@ export class Building {
     }
 
     down(event) {
-        if (event.button !== 0 || event.target !== this.pointer.canvas()) {
+        if (!event.isPrimary && this.grip) {
+            this.grip.moved = true      // two fingers zoom and move the view
+        }
+        if (!event.isPrimary || event.button !== 0 || event.target !== this.pointer.canvas()) {
             return
         }
         const p = this.pointer.position(event)
@@ -407,7 +411,11 @@ export class Building {
     }
 
     moved(event) {
-        if (this.grip && Math.abs(event.clientX - this.grip.x) + Math.abs(event.clientY - this.grip.y) >= CLICK) {
+        if (!event.isPrimary) {
+            return
+        }
+        const shortest = event.pointerType === 'touch' ? TAP : CLICK
+        if (this.grip && Math.abs(event.clientX - this.grip.x) + Math.abs(event.clientY - this.grip.y) >= shortest) {
             this.grip.moved = true
         }
         if (!this.grip && event.target === this.pointer.canvas()
@@ -424,6 +432,9 @@ export class Building {
     }
 
     up(event) {
+        if (!event.isPrimary) {
+            return
+        }
         const was = this.grip
         this.grip = null
         if (was && this.drag) {
@@ -435,11 +446,20 @@ export class Building {
         }
     }
 
+    /** Forgets a drag that the browser has taken over. */
+    cancel() {
+        this.grip = null
+        if (this.drag) {
+            this.drag = null
+            this.release(false)
+        }
+    }
+
     /** Adds the listeners once the canvases exist. They run before those that turn and move the views. */
     listen() {
-        this.panel.element('view').parentNode.addEventListener('mousedown', event => this.down(event), true)
-        this.panel.listen(window, {mousemove: event => this.moved(event), mouseup: event => this.up(event),
-            beforeunload: () => this.sendKeyed()}, true)
+        this.panel.element('view').parentNode.addEventListener('pointerdown', event => this.down(event), true)
+        this.panel.listen(window, {pointermove: event => this.moved(event), pointerup: event => this.up(event),
+            pointercancel: () => this.cancel(), beforeunload: () => this.sendKeyed()}, true)
     }
 
     // ---- keys

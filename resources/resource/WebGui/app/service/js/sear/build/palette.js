@@ -29,8 +29,7 @@ export class Palette {
         this.shownGroups = []   // groups of the kinds found
         this.made = null        // grammar and search text that these belong to
         this.stop = null        // kind that the Tab key reaches: the one that the arrow keys reached last
-        panel.listen(window, {mousedown: event => this.grab(event), mousemove: event => this.carry(event),
-            mouseup: event => this.drop(event)}, true)
+        panel.listen(window, {mousedown: event => this.grab(event), mouseup: event => this.drop(event)}, true)
     }
 
     build() {
@@ -334,13 +333,6 @@ export class Palette {
     grab(event) {
         this.carried = event.target.closest && event.button === 0
             ? event.target.closest('.sear-palette [data-make]') : null
-    }
-
-    /** Stops the views from turning during a drag from the palette. */
-    carry(event) {
-        if (this.carried) {
-            event.stopPropagation()
-        }
     }
 
     drop(event) {

@@ -127,12 +127,13 @@ export class Hand {
         }
     }
 
-    /** Adds the listeners once the views exist, before all other mouse listeners. */
+    /** Adds the listeners once the views exist, before all other listeners to the mouse. */
     listen() {
-        this.panel.element('view').parentElement.addEventListener('mousedown', event => this.take(event), true)
+        this.panel.element('view').parentElement.addEventListener('pointerdown', event => this.take(event), true)
         this.panel.listen(window, {
-            mousemove: event => this.move(event),
-            mouseup: () => this.letGo(),
+            pointermove: event => this.move(event),
+            pointerup: () => this.letGo(),
+            pointercancel: () => this.letGo(),
             beforeunload: () => this.letGo(),
             blur: event => event.target === window && this.letGo()      // not for an element in the window
         }, true)

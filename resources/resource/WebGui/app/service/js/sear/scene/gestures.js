@@ -32,75 +32,56 @@ export class Pointed {
             + ', ' + found.object.type : '')
     }
 
-    // ---- mouse, wheel, touch
-    // ---------------------------------------------------------------------------------------------------------------
+    // ---- mouse, wheel, fingers
+    // -------------------------------------------------------------------------------------------------------------
     listenToMap(shown) {
-        let grip = null
-        this.listenToWheel(shown)
-        shown.addEventListener('mousedown', event => {
-            grip = {x: event.clientX, y: event.clientY, at: {x: this.view.x, z: this.view.z}}
-        })
-        shown.addEventListener('mousemove', event => {
-            if (grip && event.buttons) {
-                this.view.moveTo(grip.at.x + (event.clientY - grip.y) / this.view.scale,
-                    grip.at.z - (event.clientX - grip.x) / this.view.scale)
-            }
-            const box = shown.getBoundingClientRect()
-            this.pointAtMap(event.clientX - box.left, event.clientY - box.top)
-        })
-    }
-
-    listenToWheel(shown) {
-        shown.addEventListener('wheel', event => {
-            this.view.zoom(event.deltaY < 0 ? 1.15 : 1 / 1.15)
-            event.preventDefault()
-        })
+        this.listenTo(shown, (right, down) => this.view.moveTo(this.view.x + down / this.view.scale,
+            this.view.z - right / this.view.scale), (x, y) => this.pointAtMap(x, y))
     }
 
     /** Left button or one finger turns; other buttons, the Shift key or two fingers pan. */
     listenToScene(shown) {
-        let grip = null
-        this.listenToWheel(shown)
         shown.addEventListener('contextmenu', event => {
             event.preventDefault()
         })
-        shown.addEventListener('mousedown', event => {
-            grip = {x: event.clientX, y: event.clientY}
-        })
-        shown.addEventListener('mousemove', event => {
-            if (grip && event.buttons) {
-                this.view.drag(event.clientX - grip.x, event.clientY - grip.y, event.buttons !== 1 || event.shiftKey)
-                grip = {x: event.clientX, y: event.clientY}
-            } else {
-                const box = shown.getBoundingClientRect()
-                this.pointAtScene(event.clientX - box.left, event.clientY - box.top)
-            }
-        })
-        this.listenToFingers(shown)
+        this.listenTo(shown, (right, down, pans) => this.view.drag(right, down, pans),
+            (x, y) => this.pointAtScene(x, y))
     }
 
-    listenToFingers(shown) {
-        let last = null
-        function middle(touches) {
-            const a = touches[0]
-            const b = touches[1] || a
-            return {count: touches.length, x: (a.clientX + b.clientX) / 2, y: (a.clientY + b.clientY) / 2,
-                apart: Math.sqrt(Math.pow(a.clientX - b.clientX, 2) + Math.pow(a.clientY - b.clientY, 2))}
-        }
-        shown.addEventListener('touchstart', event => {
-            last = middle(event.touches)
-        })
-        shown.addEventListener('touchmove', event => {
-            const now = middle(event.touches)
-            if (last && last.count === now.count) {
-                this.view.drag(now.x - last.x, now.y - last.y, now.count > 1)
-                if (now.count > 1 && last.apart > 0) {
-                    this.view.zoom(now.apart / last.apart)
-                }
-            }
-            last = now
+    /**
+     * Listens to wheel, mouse buttons and fingers; two fingers also zoom.
+     * @param drag receives pixels right and down, and whether another button, the Shift key or a second finger is down
+     * @param point receives the pixel under the mouse
+     */
+    listenTo(shown, drag, point) {
+        const down = new Map()      // pointer -> its place
+        shown.addEventListener('wheel', event => {
+            this.view.zoom(event.deltaY < 0 ? 1.15 : 1 / 1.15)
             event.preventDefault()
         })
+        shown.addEventListener('pointerdown', event => {
+            if (event.isPrimary || down.size) {     // not a second finger while the first one drags an object
+                shown.setPointerCapture(event.pointerId)
+                down.set(event.pointerId, [event.clientX, event.clientY])
+            }
+        })
+        shown.addEventListener('pointermove', event => {
+            if (down.has(event.pointerId)) {
+                const before = middle(down)
+                down.set(event.pointerId, [event.clientX, event.clientY])
+                const now = middle(down)
+                drag(now.x - before.x, now.y - before.y, down.size > 1 || event.buttons !== 1 || event.shiftKey)
+                if (down.size > 1 && before.apart > 0) {
+                    this.view.zoom(now.apart / before.apart)
+                }
+            } else {
+                const box = shown.getBoundingClientRect()
+                point(event.clientX - box.left, event.clientY - box.top)
+            }
+        })
+        ;['pointerup', 'pointercancel'].forEach(end => shown.addEventListener(end, event => {
+            down.delete(event.pointerId)
+        }))
     }
 
     /** Adds the listeners once the canvases exist. */
@@ -108,4 +89,10 @@ export class Pointed {
         this.listenToMap(this.panel.element('view'))
         this.listenToScene(this.panel.element('scene'))
     }
+}
+
+/** Returns the middle of the first two pointers, and their distance, pixels. */
+function middle(down) {
+    const [a, b = a] = down.values()
+    return {x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, apart: Math.hypot(a[0] - b[0], a[1] - b[1])}
 }

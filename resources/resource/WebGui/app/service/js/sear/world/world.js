@@ -201,7 +201,8 @@ export class World {
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
             return 'Not running, and the project is empty: ' + (this.$scope.view.building
-                ? 'choose an object in the palette, then click where to place it'
+                ? this.$scope.palette.armed ? 'click where to place the object'
+                    : 'choose an object in the palette, then click where to place it'
                 : 'open a project or an example, drop a .sear file here, press Build, or create objects in a script')
         }
         return 'Not running: the view shows the project before its start, by the button Start or '

@@ -6,7 +6,7 @@ import {metresBetween, offsetText, plotOf, timeText} from
 import * as plot from '../../../resources/resource/WebGui/app/service/js/sear/lidar/plot.js'
 import {robotsAt, sensorsAt} from '../../../resources/resource/WebGui/app/service/js/sear/records/frames.js'
 import {csv, valueAt} from '../../../resources/resource/WebGui/app/service/js/sear/records/table.js'
-import {firstOf, titleWithin, unitOf, valuesOf} from
+import {firstOf, tickTexts, titleWithin, unitOf, valuesOf} from
     '../../../resources/resource/WebGui/app/service/js/sear/records/values.js'
 import {drive, isFixed} from '../../../resources/resource/WebGui/app/service/js/sear/run/steering.js'
 import {Messages} from '../../../resources/resource/WebGui/app/service/js/sear/shared/messages.js'
@@ -182,5 +182,20 @@ test('contour lines have round heights at every zoom, and lie where the ground h
         const digit = interval / Math.pow(10, Math.floor(Math.log10(interval) + 1e-9))
         assert.ok([1, 2, 5].some(round => Math.abs(digit - round) < 1e-6), 'interval ' + interval)
         lines.forEach(line => assert.ok(Math.abs(ground.height(line[1], line[2]) + 200 - line[0] * interval) < 0.02))
+    }
+})
+
+test('the labels of an axis never repeat, however small its steps', () => {
+    assert.deepEqual(tickTexts([-0.5, 0, 0.25], 0.25), ['-0.50', '0.00', '0.25'])
+    assert.deepEqual(tickTexts([0, 500, 1000], 500), ['0', '500', '1000'])
+    assert.deepEqual(tickTexts([0.5, 0.5001, 0.5002], 1e-4), ['0.5000', '0.5001', '0.5002'])
+    assert.deepEqual(tickTexts([-2e-6, 0, 2e-6], 2e-6), ['-2e-6', '0', '2e-6'])
+    assert.deepEqual(tickTexts([7.5e-6, 1e-5, 1.25e-5], 2.5e-6), ['7.5e-6', '1.00e-5', '1.25e-5'])
+    assert.deepEqual(tickTexts([0, 5e6, 1.5e7], 5e6), ['0', '5e+6', '1.5e+7'])
+    for (let exponent = -9; exponent < 9; exponent++) {
+        [1, 2, 2.5, 5].map(part => part * Math.pow(10, exponent)).forEach(step => [0, 3, 1000].forEach(from => {
+            const texts = tickTexts([0, 1, 2, 3, 4].map(i => (from + i) * step), step)
+            assert.equal(new Set(texts).size, texts.length, texts.join(' '))
+        }))
     }
 })

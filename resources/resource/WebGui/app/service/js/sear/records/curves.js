@@ -2,13 +2,16 @@
 // Time plots in the SEAR panel, drawn by uPlot: dragging selects a range, the wheel zooms, a double click shows all.
 import uPlot from '../lib/uPlot.esm.js'
 import {isNumber} from './table.js'
-import {titleWithin} from './values.js'
+import {tickTexts, titleWithin} from './values.js'
 
 export const colors = ['#337ab7', '#d9534f', '#3c9a3c', '#e08e0b', '#8e5bb5', '#1ba39c', '#b8860b', '#c2185b']
 const FONT = '12px system-ui, sans-serif'
 const MARK = '#d9534f'
 const GRID = 'rgba(128, 128, 128, 0.25)'
 const LOWER = 42             // height of the time axis, pixels
+const AXIS = 58               // width of a vertical axis with numbers of up to AXIS_LETTERS letters, pixels
+const AXIS_LETTERS = 5
+const LETTER = 7              // width of a digit, pixels
 const DRAG = 4                // pixels: a shorter movement is a click
 const PAPER = 14              // margin of a saved picture, pixels
 
@@ -122,12 +125,14 @@ export class Curves {
     options() {
         const scales = {x: {time: false, range: (u, from, to) => this.rangeOf(from, to)}}
         const axis = more => Object.assign({stroke: this.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0,
+            values: (u, ticks, at, space, step) => tickTexts(ticks, step),
             grid: {stroke: GRID, width: 1}, ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
         const axes = [axis({label: 'simulated time (s)', size: 26})]
         this.titles().forEach((one, i) => {
             const unit = one.unit
             scales['in ' + unit] = {range: (u, low, high) => limits(low, high)}
-            axes.push(axis({scale: 'in ' + unit, label: one.title, side: i === 0 ? 3 : 1, size: 58, space: 22,
+            axes.push(axis({scale: 'in ' + unit, label: one.title, side: i === 0 ? 3 : 1, space: 22,
+                size: (u, texts) => axisWidth(texts),
                 grid: {show: i === 0, stroke: GRID, width: 1}}))
         })
         return Object.assign(this.size(), {
@@ -227,6 +232,12 @@ export class Curves {
         pen.drawImage(drawn, edge, 2 * edge + this.lines.length * row)
         return canvas
     }
+}
+
+/** Returns the width of a vertical axis with its title, pixels. */
+function axisWidth(texts) {
+    const longest = Math.max(0, ...(texts || []).map(text => text.length))
+    return Math.max(AXIS, AXIS + (longest - AXIS_LETTERS) * LETTER)
 }
 
 function limits(low, high) {

@@ -8,6 +8,11 @@ const ENDINGS = [[/ (speed|left|right) wanted$/, 'm/s'], [/ radius wanted$/, 'm'
 const QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turning', 'm/s2': 'acceleration',
     'bytes': 'serial port'}
 
+// ticks of an axis outside of these have an exponent
+const LARGEST_PLAIN = 1e6
+const SMALLEST_PLAIN = 1e-3
+const MOST_DECIMALS = 4
+
 /** Returns everything in a world that has a reading: sensors and joints. */
 function read(world) {
     return world.sensors.concat((world.joints || []).filter(joint => joint.numbers))
@@ -77,4 +82,26 @@ export function firstOf(world, names) {
     const sensor = robot && world.sensors.filter(one => one.robot === robot.name && one.names.length)[0]
     return [robot && robot.name + '.speed', sensor && sensor.name + sensor.names[0]]
     .filter(name => names.indexOf(name) >= 0)
+}
+
+/** Returns the number of decimals of a step between ticks: 2 for 0.25, -2 for 500. */
+function decimals(step) {
+    let count = -Math.floor(Math.log10(step))
+    while (Math.abs(step * Math.pow(10, count) - Math.round(step * Math.pow(10, count))) > 1e-6) {
+        count++
+    }
+    return count
+}
+
+/** Returns the texts of an axis' ticks, which all differ. @param step between ticks */
+export function tickTexts(ticks, step) {
+    const most = Math.max(...ticks.map(Math.abs))
+    const count = decimals(step)
+    if (most < LARGEST_PLAIN && (count <= MOST_DECIMALS || most >= SMALLEST_PLAIN)) {
+        return ticks.map(tick => (tick === 0 ? 0 : tick).toFixed(Math.max(0, count)))
+    }
+    return ticks.map(tick => {
+        const exponent = Number(tick.toExponential().split('e')[1])
+        return tick === 0 ? '0' : tick.toExponential(Math.max(0, count + exponent))
+    })
 }

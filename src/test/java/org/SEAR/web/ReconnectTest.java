@@ -2,6 +2,7 @@
 package org.SEAR.web;
 
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
 
 import org.junit.ClassRule;
 import org.junit.Rule;
@@ -85,8 +86,10 @@ public class ReconnectTest {
         robotLab.call("runtime", "release", "sear");
         browser.until("no tab", () -> browser.all("#tab-sear").isEmpty());
         assertFalse("another tab is shown", browser.all(".nav-tabs li.active").isEmpty());
+        browser.seeText("#shell-missing", "There is no service sear yet. Its tab appears as soon as it starts.");
         robotLab.run("sear = Runtime.start('sear', 'SEAR')");
         browser.see(".sear-main");
+        assertTrue("no word of waiting", browser.all("#shell-missing").isEmpty());
         tab.openExample("maze");
         tab.start();
         tab.waitForTime(0.1);

@@ -80,6 +80,12 @@
             return this.mrl.refused
         }
 
+        /** Returns the wanted service as long as it does not exist, for example before a script starts it. */
+        get missing() {
+            const isThere = this.services.some(service => service.name === this.wanted)
+            return this.connected && this.services.length && this.wanted && !isThere ? this.wanted : ''
+        }
+
         order(service) {
             const at = FIRST.indexOf(service.simpleName)
             return at < 0 ? FIRST.length + 1 + LAST.indexOf(service.simpleName) : at

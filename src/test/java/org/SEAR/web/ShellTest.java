@@ -60,7 +60,7 @@ public class ShellTest {
         assertTrue(browser.driver().getCurrentUrl().endsWith("#/python"));
         browser.driver().navigate().back();
         browser.see(".sear-start");
-        assertEquals("no simulation runs", browser.text(".sear-status"));
+        browser.seeText(".sear-status", "no simulation runs");
         assertEquals("sear", robotLab.call("sear", "getName").asText());
     }
 

@@ -28,8 +28,8 @@ public class NeedsTest {
         "classArchive", "home.built", "installDist"));
 
     static {
-        List.of("drivers", "johnnyFive", "rasterio", "pyproj", "opencv", "python3", "numpy1", "gymnasium",
-            "sweep", "jupyter").forEach(fetched -> TASKS.put(fetched, fetched));
+        List.of("drivers", "johnnyFive", "rasterio", "pyproj", "kissIcp", "opencv", "python3", "numpy1",
+            "gymnasium", "sweep", "jupyter").forEach(fetched -> TASKS.put(fetched, fetched));
     }
 
     @Test

@@ -14,6 +14,11 @@ import java.util.List;
 final class IslandSolver {
     /** Substeps of a step with contacts. */
     static final int SUBSTEPS = 8;
+    /**
+     * Substeps of a ball or log that touches only meshes. At a convex edge it leaves the surface by what it rolls in
+     * half a substep, which costs energy: with 16 at most 0.3 % on 20 degrees of a dome, with 8 up to 0.53 %.
+     */
+    private static final int SUBSTEPS_ON_MESH = 16;
     /** Smallest and largest number of passes over a robot's wheels without contacts. */
     private static final int PASSES_ALONE = 10;
     private static final int MAX_PASSES_ALONE = 40;
@@ -229,8 +234,11 @@ final class IslandSolver {
         int points = 0;
         int searches = 0;
         double fast = 0;
+        boolean rolling = bodies.size() == 1 && bodies.get(0).canRoll();
+        boolean onMesh = rolling && !pairs.isEmpty();
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
+            onMesh &= pair.isOfMesh();
             points += pair.points();
             searches += pair.isSoonStale(seconds / SUBSTEPS) ? 1 : 0;
             if (pair.points() > 0) {
@@ -251,7 +259,7 @@ final class IslandSolver {
         for (int i = 0; i < mechanisms.size(); i++) {
             turning = Math.max(turning, mechanisms.get(i).mechanism.fastest() * seconds / MAX_TURN_JOINTED);
         }
-        double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(
+        double wanted = Math.max((alone ? substepsAlone(seconds) : onMesh ? SUBSTEPS_ON_MESH : SUBSTEPS) * Math.sqrt(
             Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(MIN_SUBSTEPS, MAX_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MAX_SUBSTEPS), paid));
@@ -264,7 +272,6 @@ final class IslandSolver {
         int usual = Math.max(2, driven ? 2 * rounds - 1 : 2 * rounds - 2);
         leastPasses = driven ? usual : 1;
         calm = fast <= CALM && !isDeep();
-        boolean rolling = bodies.size() == 1 && bodies.get(0).canRoll();
         int limit = calm ? MAX_PASSES : rolling ? usual : MAX_IMPACT_PASSES;
         mostPasses = (int) Math.max(usual,
             Math.min(limit, (calm ? MAX_CALM_WORK : MAX_IMPACT_WORK) / Math.max(1.0, work)));

@@ -296,8 +296,8 @@ final class StructureScenes {
                 + Math.pow(now.z - start.get(i).z, 2)));
         }
         into.atMost("largest displacement after 60 s, mm", allowed, 1000 * moved);
-        // what lifting every box by 0.02 mm, the slop of the position correction, takes
-        into.atMost("energy gained, J", 2e-5 * GRAVITY * masses.stream().mapToDouble(m -> m).sum(), gained);
+        // Residual velocities of 1e-5 m/s lift the structure by up to 0.3 micrometres until it sleeps
+        into.atMost("energy gained, J", 1e-6 * GRAVITY * masses.stream().mapToDouble(m -> m).sum(), gained);
     }
 
     /** Runs for some seconds; returns how far a body has sunk, metres. */

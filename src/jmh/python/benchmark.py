@@ -47,6 +47,7 @@ FULL = {
     "seconds": 0.4,
     "scans": 30,
     "bodies": bodies.SCENES,
+    "structures": bodies.STRUCTURES,
 }
 QUICK = {
     "beams": ["hall-10", "hills-1000"],
@@ -62,6 +63,7 @@ QUICK = {
     "seconds": 0.1,
     "scans": 2,
     "bodies": bodies.QUICK_SCENES,
+    "structures": bodies.QUICK_STRUCTURES,
 }
 
 
@@ -264,15 +266,15 @@ class Run:
 
     def bodies(self):
         """Measures scenes that end at rest; also returns what is missing."""
-        engines = ["sear"] if self.options.no_peers else list(bodies.ENGINES)
-        scenes = self.plan["bodies"]
-        if self.options.bodies:
-            engines = self.options.bodies.split(",")
+        option = "structures" if self.options.structures else "bodies"
+        scenes = self.plan[option]
+        engines = getattr(self.options, option)
+        engines = engines.split(",") if engines else ["sear"] if self.options.no_peers else bodies.DEFAULT.split(",")
         if self.options.scenes:
             scenes = self.options.scenes.split(",")
         for engine in engines:
             if engine not in bodies.ENGINES:
-                raise SystemExit("benchmark: --bodies %s, legal: %s" % (engine, ", ".join(bodies.ENGINES)))
+                raise SystemExit("benchmark: --%s %s, legal: %s" % (option, engine, ", ".join(bodies.ENGINES)))
         return bodies.Bodies(self, engines, scenes, LONGEST_WORLD).measure()
 
     def cores(self):
@@ -356,8 +358,11 @@ def main():
     parser.add_argument("--quick", action="store_true", help="tiny worlds and times: only checks that everything runs; writes nothing into docs")
     parser.add_argument("--no-peers", action="store_true", help="omit the engines from PyPI")
     parser.add_argument("--no-script", action="store_true", help="omit the run in the embedded MyRobotLab")
-    parser.add_argument("--bodies", metavar="ENGINES", nargs="?", const=",".join(bodies.ENGINES),
+    parser.add_argument("--bodies", metavar="ENGINES", nargs="?", const=bodies.DEFAULT,
                         help="measure only bodies that end at rest, in these engines (default: sear,bullet,mujoco), and"
+                        " print the table; writes nothing into docs")
+    parser.add_argument("--structures", metavar="ENGINES", nargs="?", const=",".join(bodies.ENGINES),
+                        help="measure only structures at rest, in these engines (default: sear,bullet,mujoco,jbullet), and"
                         " print the table; writes nothing into docs")
     parser.add_argument("--scenes", metavar="SCENES", help="scenes of bodies, for example pile-100,stack-10 (default: all; with --quick two)")
     parser.add_argument("--joints", metavar="MECHANISMS", nargs="?", const=",".join(joints.MECHANISMS),
@@ -379,7 +384,7 @@ def main():
         if options.classpath is None:
             options.classpath = read_text(os.path.join(ROOT, "build", "benchmark", "classpath.txt"))
         run = Run(options)
-        if options.bodies:
+        if options.bodies or options.structures:
             results, missing = run.bodies()
             print("\n".join(bodies.table(results) + ["%s: %s" % one for one in missing.items()]))
             return

@@ -8,15 +8,24 @@ import subprocess
 import sys
 
 SCENES = ["single-10", "single-100", "single-1000", "pile-10", "pile-100", "pile-1000", "dominoes-30", "stack-10"]
+STRUCTURES = ["wall-10", "wall-20", "bond-20", "pyramid-10", "pyramid-15", "jenga-18", "logs-3", "logs-6"]
 QUICK_SCENES = ["single-10", "pile-10"]
-ENGINES = {"sear": "SEAR", "bullet": "Bullet", "mujoco": "MuJoCo"}
+QUICK_STRUCTURES = ["jenga-18", "logs-3"]
+ENGINES = {"sear": "SEAR", "bullet": "Bullet", "mujoco": "MuJoCo", "jbullet": "jbullet"}
+# jbullet only shows what its contacts would be like
+DEFAULT = "sear,bullet,mujoco"
 # Overlap in metres above which a speed is invalid
 DEEPEST = 1e-3
+# Displacement in metres at which a structure does not stand, and at which it has collapsed
+DRIFTED = 0.01
+COLLAPSED = 0.1
 # Limits of movement in half a second for a body at rest, metres and radians
 MOVED = 1e-4
 TURNED = 2e-3
 NOTHING = 1e-9
-HEAD = ("name", "side", "mass", "friction", "seconds", "watch")
+# Length of a cross product below which two axes count as parallel
+PARALLEL = 1e-6
+HEAD = ("name", "side", "mass", "friction", "seconds", "watch", "round")
 
 
 # ---- judging ---------------------------------------------------------------------------------------------------------------
@@ -64,9 +73,35 @@ class Cuboid:
         return least
 
 
+class Log(Cuboid):
+    """A cylinder along its y axis; its half sizes are radius, half of its length, radius."""
+
+    def reach(self, axis):
+        along = min(1.0, abs(dot(self.axes[1], axis)))
+        return self.half[1] * along + self.half[0] * math.sqrt(1 - along * along)
+
+    def depth(self, other):
+        """Returns the smallest overlap along both axes, the common perpendicular, and the perpendiculars from each axis to
+        the other's centre, metres; at most 0 if they are apart. Exact for parallel and crossing logs, otherwise an upper
+        bound."""
+        apart = [b - a for a, b in zip(self.at, other.at)]
+        own, others = self.axes[1], other.axes[1]
+        directions = [own, others, cross(own, others)]
+        for axis in (own, others):
+            directions.append([a - dot(apart, axis) * n for a, n in zip(apart, axis)])
+        least = math.inf
+        for direction in directions:
+            length = math.sqrt(dot(direction, direction))
+            if length > PARALLEL:
+                least = min(least, self.along([a / length for a in direction], other))
+        return least
+
+
 def deepest(world, poses):
-    """Returns the deepest overlap between boxes and with the floor, metres."""
-    cuboids = sorted((Cuboid(box[:3], pose) for box, pose in zip(world["boxes"], poses)), key=lambda one: one.at[0] - one.reaches[0])
+    """Returns the deepest overlap between bodies and with the floor, metres."""
+    kind = Log if world["round"] else Cuboid
+    cuboids = sorted((kind(box[:3], pose) for box, pose in zip(world["boxes"], poses)),
+                     key=lambda one: one.at[0] - one.reaches[0])
     most = 0.0
     for i, one in enumerate(cuboids):
         most = max(most, one.reaches[1] - one.at[1])
@@ -101,7 +136,9 @@ def judge(world, found):
     if world["name"].startswith("stack"):
         top = world["boxes"][-1]
         result["topOff"] = found["after"][-1][1] - top[4]
-    result["counts"] = result["overlap"] < DEEPEST and result["moving"] == 0
+    if world["name"].split("-")[0] in {name.split("-")[0] for name in STRUCTURES}:
+        result["drift"] = max(math.dist(box[3:6], pose[:3]) for box, pose in zip(world["boxes"], found["after"]))
+    result["counts"] = result["overlap"] < DEEPEST and result["moving"] == 0 and result.get("drift", 0) < DRIFTED
     return result
 
 
@@ -164,6 +201,8 @@ class Bodies:
         with open(numbers, "w") as out:
             for line in [[world[key] for key in HEAD[1:]]] + world["boxes"]:
                 out.write(" ".join(repr(float(number)) for number in line) + "\n")
+        if engine == "jbullet":
+            return [self.run.java, "-cp", self.run.options.classpath, "org.SEAR.benchmark.JBulletBodies", numbers, target]
         return [self.run.java, "-cp", self.run.bullet(), "org.SEAR.benchmark.bullet.BulletBodies", numbers, target]
 
 
@@ -174,12 +213,23 @@ def read(path):
 
 # ---- output ----------------------------------------------------------------------------------------------------------------
 
+def remark(one):
+    """Returns the last column of the table."""
+    if "fallen" in one:
+        return "%d fallen" % one["fallen"]
+    if "topOff" in one:
+        return "top %+.2f mm" % (1000 * one["topOff"])
+    if "drift" in one:
+        return "collapsed" if one["drift"] > COLLAPSED else "drift %.2f mm" % (1000 * one["drift"])
+    return ""
+
+
 def table(results):
     """Returns the lines of a Markdown table; invalid speeds are in brackets."""
     lines = ["| scene | engine | CPU s per simulated s | times real time | deepest overlap, mm | still moving | |", "|---|---|---|---|---|---|---|"]
     for one in results:
         speed = "%.0f" % (1 / one["perSecond"]) if one["perSecond"] < 0.1 else "%.2g" % (1 / one["perSecond"])
-        more = "%d fallen" % one["fallen"] if "fallen" in one else "top %+.2f mm" % (1000 * one["topOff"]) if "topOff" in one else ""
+        more = remark(one)
         lines.append("| %s | %s | %.4f | %s | %.2f | %d | %s |" % (one["scene"], one["engine"], one["perSecond"],
                                                                   speed if one["counts"] else "(%s)" % speed, 1000 * one["overlap"], one["moving"],
                                                                   more))

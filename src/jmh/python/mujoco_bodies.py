@@ -23,8 +23,10 @@ def main():
     half = world["side"] / 2
     bodies = []
     for hx, hy, hz, x, y, z, qx, qy, qz, qw in world["boxes"]:
-        bodies.append('<body pos="%r %r %r" quat="%r %r %r %r"><freejoint/><geom type="box" size="%r %r %r" mass="%r" %s/></body>'
-                      % (x, y, z, qw, qx, qy, qz, hx, hy, hz, world["mass"], friction))
+        # a cylinder of MuJoCo lies along z
+        geom = 'type="cylinder" quat="1 1 0 0" size="%r %r"' % (hx, hy) if world["round"] else 'type="box" size="%r %r %r"' % (hx, hy, hz)
+        bodies.append('<body pos="%r %r %r" quat="%r %r %r %r"><freejoint/><geom %s mass="%r" %s/></body>'
+                      % (x, y, z, qw, qx, qy, qz, geom, world["mass"], friction))
     model = mujoco.MjModel.from_xml_string(HEAD + "<worldbody>" + box_xml((half, 0.05, half, 0, -0.05, 0, 0, 0, 0, 1), friction) + "".join(bodies)
                                            + "</worldbody></mujoco>")
     data = mujoco.MjData(model)

@@ -26,9 +26,8 @@ public final class Bodies {
         try (RestWorld world = new RestWorld(args[0])) {
             Files.writeString(Paths.get(args[1]), String.format(Locale.ROOT,
                 "{\"name\": \"%s\", \"side\": %s, \"mass\": %s, \"friction\": %s, \"seconds\": %s, \"watch\": %s, "
-                + "\"boxes\": %s}%n", args[0],
-                world.side, RestWorld.MASS, RestWorld.FRICTION, world.seconds, RestWorld.WATCH,
-                    Arrays.deepToString(world.posed())));
+                + "\"round\": %d, \"boxes\": %s}%n", args[0], world.side, RestWorld.MASS, RestWorld.FRICTION,
+                world.seconds, RestWorld.WATCH, world.round ? 1 : 0, Arrays.deepToString(world.posed())));
             if (args.length > 2) {
                 measure(world, Paths.get(args[2]));
             }

@@ -3,6 +3,8 @@ package org.SEAR.benchmark.bullet;
 
 import com.jme3.bullet.PhysicsSpace;
 import com.jme3.bullet.collision.shapes.BoxCollisionShape;
+import com.jme3.bullet.collision.shapes.CollisionShape;
+import com.jme3.bullet.collision.shapes.CylinderCollisionShape;
 import com.jme3.bullet.objects.PhysicsRigidBody;
 import com.jme3.math.Quaternion;
 import com.jme3.math.Vector3f;
@@ -19,8 +21,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Boxes on a floor in native Bullet with its default settings, at 1/60 s: measures the thread's processor time and
- * writes the final poses.
+ * Boxes or cylinders on a floor in native Bullet with its default settings, at 1/60 s: measures the thread's processor
+ * time and writes the final poses.
  */
 public final class BulletBodies {
     private static final String LIBRARY = "/native/linux/x86_64/libbulletjme.so";
@@ -36,12 +38,14 @@ public final class BulletBodies {
         double[] head = numbers.get(0);
         space.setGravity(new Vector3f(0, -GRAVITY, 0));
         space.setAccuracy(STEP);
-        float half = (float) head[0] / 2;
-        PhysicsRigidBody floor = new PhysicsRigidBody(new BoxCollisionShape(half, 0.05f, half), 0);
+        float side = (float) head[0] / 2;
+        PhysicsRigidBody floor = new PhysicsRigidBody(new BoxCollisionShape(side, 0.05f, side), 0);
         floor.setPhysicsLocation(new Vector3f(0, -0.05f, 0));
         add(floor, head[2]);
         for (double[] b : numbers.subList(1, numbers.size())) {
-            BoxCollisionShape shape = new BoxCollisionShape((float) b[0], (float) b[1], (float) b[2]);
+            Vector3f half = new Vector3f((float) b[0], (float) b[1], (float) b[2]);
+            CollisionShape shape = head[5] > 0 ? new CylinderCollisionShape(half, PhysicsSpace.AXIS_Y)
+                : new BoxCollisionShape(half);
             shape.setMargin((float) Math.min(shape.getMargin(), MARGIN_SHARE * Math.min(b[0], Math.min(b[1], b[2]))));
             PhysicsRigidBody body = new PhysicsRigidBody(shape, (float) head[1]);
             body.setPhysicsLocation(new Vector3f((float) b[3], (float) b[4], (float) b[5]));
@@ -87,8 +91,8 @@ public final class BulletBodies {
     }
 
     /**
-     * @param args a file of numbers (side, mass, friction, seconds, watch; then ten per box), and the file for the
-     *     result
+     * @param args a file of numbers (side, mass, friction, seconds, watch, round; then ten per body), and the file for
+     *     the result
      */
     public static void main(String[] args) throws IOException {
         load();

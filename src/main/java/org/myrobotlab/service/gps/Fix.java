@@ -2,6 +2,7 @@
 package org.myrobotlab.service.gps;
 
 import java.util.Arrays;
+import java.util.Locale;
 import org.SEAR.protocol.nmea.Nmea;
 
 /**
@@ -100,6 +101,23 @@ public final class Fix {
 
     public boolean hasFix() {
         return quality > 0;
+    }
+
+    /** Returns for example {@code fix at 48.117300, 11.516667 degrees, 545.4 m, quality 1, UTC 120000.00}. */
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder(hasFix()
+            ? String.format(Locale.ROOT, "fix at %.6f, %.6f degrees", latitude, longitude) : "no fix");
+        if (altitude != null) {
+            text.append(", ").append(altitude).append(" m");
+        }
+        if (hasFix()) {
+            text.append(", quality ").append(quality);
+        }
+        if (satellites != null) {
+            text.append(", ").append(satellites).append(" satellites");
+        }
+        return utc == null ? text.toString() : text.append(", UTC ").append(utc).toString();
     }
 
     String source() {

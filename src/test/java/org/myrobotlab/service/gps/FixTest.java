@@ -72,6 +72,15 @@ public class FixTest {
     }
 
     @Test
+    public void itsTextHasWhatTheReceiverReported() {
+        assertEquals("fix at 33.610000, -80.864998 degrees, 182.5 m, quality 1, 8 satellites, UTC 120000.000",
+            FixSentences.read("$GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,*00").toString());
+        assertEquals("fix at 33.610000, 80.864998 degrees, quality 1",
+            FixSentences.read("$GPGGA,,3336.6000,N,08051.8999,E,1,,,,M,,M,,*00").toString());
+        assertEquals("no fix, 0 satellites, UTC 235946.005", FixSentences.read(NO_FIX).toString());
+    }
+
+    @Test
     public void withoutAFixThereIsNoPosition() {
         Fix none = FixSentences.read(NO_FIX);
         assertFalse(none.hasFix());

@@ -21,9 +21,11 @@ final class ClockTrap {
     private static final String SCRIPT = "org.python.pycode.";
     /** End of the name of the service class that scripts call. */
     private static final String SERVICE = ".SEAR";
-    /** Calls that advance time or may take seconds of real time; none of them counts as a loop of the script. */
+    /** Calls that advance time, load, draw, or write a file: no script waits in them, so they end a suspected loop. */
     private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset",
-        "loadProject", "saveProject", "newProject", "rerunRecord");
+        "loadProject", "saveProject", "newProject", "importRobot", "importEnvironment", "checkProject", "copyTemplate",
+        "rerunRecord", "endRecord", "getRecordValues", "saveRecordCsv", "saveRecordPlot", "savePlot", "savePlan",
+        "saveImage");
     private static final String REMEDY =
         ": in lock-step (--speed max, setLockStep(True)) it advances only in sear.simSleep(seconds) and "
         + "sear.step(n), not ";

@@ -32,7 +32,8 @@ public class BusyLineTest {
 
     @Test
     public void longCallsAreNotALoop() {
-        for (String method : new String[] {"step", "simSleep", "startSimulation", "loadProject", "rerunRecord"}) {
+        for (String method : new String[] {"step", "simSleep", "startSimulation", "loadProject", "rerunRecord",
+            "saveImage", "savePlan", "savePlot", "saveRecordCsv"}) {
             assertNull(method, busy(call("lambda$" + method + "$0"), call(method), SCRIPT));
         }
     }

@@ -88,6 +88,22 @@ public class SketchDriveTest {
         assertTrue(!runs.get(3).startsWith("avoider"));
     }
 
+    @Test
+    public void aProgramAtAnotherRateIsWarnedOf() throws Exception {
+        Bundle.load(EXAMPLE, project.folder());
+        try (Simulation simulation = start()) {
+            SerialLine line = simulation.getLines().get(0);
+            line.open();
+            line.setHostBaud(115200);
+            Worlds.run(simulation, 1.5);
+            line.write(new byte[20]);
+            Worlds.run(simulation, 0.5);
+            String warnings = simulation.snapshot().warnings.toString();
+            assertTrue(warnings, warnings.contains("bytes came at 115200 baud, but an Arduino Uno, avoider.hex is at "
+                + "9615 baud now"));
+        }
+    }
+
     /** A reset erases nothing of the sketch; another reset gives the same bytes. */
     @Test
     public void aResetStartsTheSketchAgain() throws Exception {

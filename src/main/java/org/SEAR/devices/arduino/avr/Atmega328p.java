@@ -36,6 +36,7 @@ public final class Atmega328p extends Cpu {
         usart = new Usart(this);
         new Adc(this);
         new Twi(this);
+        new Spi(this);
         eeprom = new Eeprom(this);
         watchdog = new Watchdog(this);
         // GPIOR0 to 2, GTCCR, SMCR, MCUCR, CLKPR, PRR, OSCCAL, DIDR0 and 1, TWAR, TWAMR

@@ -6,8 +6,7 @@ import java.util.Map;
 
 /** Names of registers that are not simulated. Source: register summary in the data sheet. */
 final class RegisterNames {
-    private static final Map<Integer, String> NAMES = Map.of(0x4C, "SPCR", 0x4D, "SPSR", 0x4E, "SPDR", 0x50, "ACSR",
-        0x57, "SPMCSR", 0xB6, "ASSR");
+    private static final Map<Integer, String> NAMES = Map.of(0x50, "ACSR", 0x57, "SPMCSR", 0xB6, "ASSR");
 
     private RegisterNames() {
     }

@@ -64,11 +64,11 @@ public class SketchTest {
         assertEquals("duty 64 of 255", 128 * 64, fall - rises.get(last));
     }
 
-    /** Wire: no device acknowledges its address (error 2), and none sends a byte. */
+    /** Wire: no device acknowledges its address (error 2), and none sends a byte. SPI receives an open line. */
     @Test
-    public void noDeviceIsOnTheTwoWireBus() throws IOException {
+    public void noDeviceIsOnTheBuses() throws IOException {
         chip(ProgramFile.read(hex("scan.hex"), Atmega328p.FLASH_BYTES)).run(16_000_000);
-        assertEquals("0 0 126 0 0 0 0\r\n", text.toString());
+        assertEquals("0 0 126 0 0 0 0\r\n255\r\n", text.toString());
         assertEquals(List.of(), reports);
     }
 

@@ -1,4 +1,5 @@
-// Searches the I2C bus. Compiled by avr-gcc 5.4 with the Arduino AVR core 1.8 and Wire of Debian, -Os, for an Uno.
+// Searches the I2C bus, and sends a byte by SPI. Compiled by avr-gcc 5.4 with the Arduino AVR core 1.8, SPI and Wire of Debian, -Os, for an Uno.
+#include <SPI.h>
 #include <Wire.h>
 
 void setup() {
@@ -15,6 +16,8 @@ void setup() {
     Serial.print(' ');
   }
   Serial.println(Wire.requestFrom(0x1E, 2));
+  SPI.begin();
+  Serial.println(SPI.transfer(0x55));
 }
 
 void loop() {

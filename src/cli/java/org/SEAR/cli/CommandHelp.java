@@ -27,7 +27,7 @@ final class CommandHelp {
         OPTIONS.put("What changes the readings:", Set.of("--seed", "--set", "--threads"));
         OPTIONS.put("The tabs in the browser:", Set.of("--port", "--host", "--url", "--token", "--token-file"));
         OPTIONS.put("About sear:", Set.of("--help", "--version"));
-        COMMANDS.put("Commands for projects:", Set.of("check", "script", "sensors"));
+        COMMANDS.put("Commands for projects:", Set.of("check", "script", "import", "sensors"));
         COMMANDS.put("Commands for many runs:", Set.of("sweep", "contest"));
         COMMANDS.put("Commands for teaching:", Set.of("lessons", "lesson", "grade", "class"));
         COMMANDS.put("Commands for this computer:", Set.of("install", "modem-lines", "generate-completion", "help"));

@@ -35,8 +35,8 @@ import picocli.CommandLine;
 
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
-    subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class,
-        InstallCommand.class,
+    subcommands = {CheckCommand.class, ScriptCommand.class, ImportCommand.class, SensorsCommand.class,
+        ModemLinesCommand.class, InstallCommand.class,
         LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
         ContestCommand.class, AutoComplete.GenerateCompletion.class, HelpCommand.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR, or opens a project in the tabs and "

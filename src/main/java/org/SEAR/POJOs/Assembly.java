@@ -2,6 +2,7 @@
 package org.SEAR.POJOs;
 
 import java.io.IOException;
+import java.util.function.Supplier;
 import org.SEAR.grammar.Faults;
 
 /** Package access for {@link org.SEAR.project}, which assembles objects that were read from files. */
@@ -16,6 +17,16 @@ public final class Assembly {
      */
     public static void link(SEARrobot robot, SearObject component, boolean aside) {
         robot.link(component, aside);
+    }
+
+    /** Creates several objects; if the work fails, the project has none of them. */
+    public static <T> T whole(Supplier<T> work) {
+        return ObjectStores.get().whole(work);
+    }
+
+    /** Returns whether a new object of this name would replace one. */
+    public static boolean replaces(String name) throws IOException {
+        return ObjectStores.get().replaces(name);
     }
 
     /** Returns the robot of a part; null for an object that is not part of a robot. */

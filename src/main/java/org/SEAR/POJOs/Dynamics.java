@@ -2,6 +2,7 @@
 package org.SEAR.POJOs;
 
 import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Included;
 import org.SEAR.grammar.Param;
 
@@ -40,6 +41,8 @@ public class Dynamics extends SearObject implements SerialObject {
     private boolean streamHeaderSummed = true;
     @Param(doc = "errors of wheels, encoders and steering; default none")
     private DriveErrors errors;
+    @Param(doc = "centre of mass and inertia tensor; default those of the components")
+    private Inertia inertia;
 
     /** For reading from a file. */
     protected Dynamics() {
@@ -159,6 +162,26 @@ public class Dynamics extends SearObject implements SerialObject {
         checkChangeable();
         errors = newErrors;
         changed();
+    }
+
+    /** Returns centre of mass and inertia tensor; null for those of the components. */
+    public Inertia getInertia() {
+        return inertia;
+    }
+
+    /** @param newInertia centre of mass and inertia tensor; null for those of the components */
+    public void setInertia(Inertia newInertia) {
+        checkChangeable();
+        inertia = newInertia;
+        changed();
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        super.crossCheck(faults);
+        if (inertia != null && !inertia.isPositive()) {
+            faults.add("inertia", "a tensor with a negative or no principal moment", "positive principal moments");
+        }
     }
 
     /**

@@ -5,7 +5,7 @@ import org.SEAR.grammar.Described;
 
 /** A hinge: the second object turns about the hinge's y axis, which is vertical without a rotation. */
 @Described("a hinge: the second object turns about the hinge's y axis, counter-clockwise seen from its tip")
-public class Hinge extends AxisJoint {
+public class Hinge extends GuidedJoint {
     /** For reading from a file. */
     protected Hinge() {
     }

@@ -32,6 +32,9 @@ public class SEARrobot extends PlacedObject {
     @Param(doc = "position in the order of the project's robots; robots without it come first, by name", min = 1,
         max = MAX_ORDER)
     private Integer order;
+    @Param(doc = "name of the machine that it is a part of; robots of one machine do not collide with each other",
+        text = TextRule.NAME)
+    private String machine;
     @Param(doc = "name of a component with a file beside this one; ROBOT/NAME for a file in robot/ROBOT/, if another "
         + "robot has a component of that name", element = "component", text = TextRule.COMPONENT,
         maxEntries = MAX_COMPONENTS)
@@ -366,6 +369,17 @@ public class SEARrobot extends PlacedObject {
     /** Returns the components' files (see {@link SearObject#getFileName}) in the order of their addition; a view. */
     public List<String> getComponentNames() {
         return Collections.unmodifiableList(componentNames);
+    }
+
+    /** Returns the name of the machine that it is a part of; null for none. */
+    public String getMachine() {
+        return machine;
+    }
+
+    /** @param newMachine name shared by robots that do not collide with each other; null for none */
+    public void setMachine(String newMachine) {
+        machine = checked("machine", newMachine);
+        changed();
     }
 
     /** Returns the wheels in the order of their addition; a view. */

@@ -5,7 +5,7 @@ import org.SEAR.grammar.Described;
 
 /** A slider: the second object moves along the slider's y axis without turning. */
 @Described("a slider: the second object moves along the slider's y axis without turning")
-public class Slider extends AxisJoint {
+public class Slider extends GuidedJoint {
     /** For reading from a file. */
     protected Slider() {
     }

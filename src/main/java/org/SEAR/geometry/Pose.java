@@ -6,6 +6,8 @@ package org.SEAR.geometry;
  * Immutable, any thread.
  */
 public final class Pose {
+    /** Cosine of the angle about z below which x and y turn about the same axis. */
+    private static final double POLE = 1e-9;
     /** No translation, no rotation. */
     public static final Pose IDENTITY = new Pose(0, 0, 0, 0, 0, 0, 1);
 
@@ -50,6 +52,18 @@ public final class Pose {
         double sycz = sinY * cosZ;
         return new Pose(x, y, z, yz * sinX + syz * cosX, sycz * cosX + cysz * sinX, cysz * cosX - sycz * sinX,
             yz * cosX - syz * sinX);
+    }
+
+    /** Returns the angles of {@link #ofDegrees}: degrees about x, y and z. */
+    public double[] degrees() {
+        double[] x = rotate(1, 0, 0);
+        double[] y = rotate(0, 1, 0);
+        double[] z = rotate(0, 0, 1);
+        boolean pole = Math.hypot(y[1], z[1]) < POLE;
+        double about = pole ? 0 : Math.atan2(-z[1], y[1]);
+        double turn = pole ? Math.atan2(z[0], z[2]) : Math.atan2(-x[2], x[0]);
+        return new double[] {Math.toDegrees(about), Math.toDegrees(turn),
+            Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, x[1]))))};
     }
 
     /** Returns the pose in the parent frame of a pose {@code inner} in this frame. */

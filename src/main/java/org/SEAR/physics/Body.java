@@ -215,7 +215,7 @@ public final class Body {
 
     /** Whether both bodies pass through each other. */
     public boolean ignores(Body other) {
-        if (robot != null && robot == other.robot || placed.length == 0 || other.placed.length == 0) {
+        if (robot != null && robot.isOneWith(other.robot) || placed.length == 0 || other.placed.length == 0) {
             return true;
         }
         List<JointedBodies.Link> through = RobotBodies.base(this).passing;

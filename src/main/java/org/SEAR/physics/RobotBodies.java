@@ -7,19 +7,31 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
- * Bodies of one robot: that of its frame, and links that joints connect with it. They pass through each other.
+ * Bodies of one robot: that of its frame, and links that joints connect with it. They pass through each other, and
+ * through the other robots of their machine.
  * Simulation thread.
  */
 public final class RobotBodies {
     private final Body base;
     private final List<Body> links = new ArrayList<>();
     private Body whole;
+    private String machine;
 
     /** @param base body of the robot's frame */
     public RobotBodies(Body base) {
         this.base = base;
         whole = base;
         base.setRobot(this);
+    }
+
+    /** @param name of the machine whose robots pass through each other; null for none */
+    public void setMachine(String name) {
+        machine = name;
+    }
+
+    /** Whether both are the same robot, or parts of one machine. */
+    boolean isOneWith(RobotBodies other) {
+        return this == other || machine != null && other != null && machine.equals(other.machine);
     }
 
     /** Adds a link. */

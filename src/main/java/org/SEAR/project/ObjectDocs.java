@@ -21,6 +21,7 @@ import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.BoardWire;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.DriveErrors;
+import org.SEAR.POJOs.Inertia;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.OpenInterfaceBody;
@@ -157,7 +158,7 @@ public final class ObjectDocs {
                 .append(" m | ").append(beam.getDescription()).append(" |\n");
         }
         for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, DriveErrors.class,
-            BoardWire.class, WallCorner.class)) {
+            Inertia.class, BoardWire.class, WallCorner.class)) {
             section(out, type);
         }
         out.append("\n## Texts\n\n| text | legal |\n|---|---|\n");

@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Inertia;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.InertiaTensor;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
@@ -75,7 +77,8 @@ public final class RobotBuilder {
         MassProperties masses = links.isEmpty() ? masses(solids, weights) : baseMasses(warnings);
         double[] centroid = masses.centre();
         double[] placed = CentreOfMass.place(centroid, weighed(), robot.getWheels());
-        MassProperties own = masses.withCentre(placed).withMass(links.isEmpty() ? dynamics.getMass() : masses.mass);
+        MassProperties own = dynamics.getInertia() != null ? stated(links.isEmpty() ? dynamics.getMass() : masses.mass)
+            : masses.withCentre(placed).withMass(links.isEmpty() ? dynamics.getMass() : masses.mass);
         double[] centre = whole(own).centre();
         springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest(), project.getGravity());
         for (Wheel wheel : robot.getWheels()) {
@@ -117,6 +120,12 @@ public final class RobotBuilder {
                 + "and start pose")));
     }
 
+    private MassProperties stated(double mass) {
+        Inertia of = dynamics.getInertia();
+        return new MassProperties(mass, new double[] {of.getX(), of.getY(), of.getZ()},
+            new InertiaTensor(of.getXx(), of.getYy(), of.getZz(), of.getXy(), of.getXz(), of.getYz()));
+    }
+
     /** Returns the body of the parts that nothing moves, and makes those of the links. */
     private Body divide(Body whole, MassProperties own) {
         List<Solid> rest = new ArrayList<>(solids);
@@ -124,6 +133,7 @@ public final class RobotBuilder {
         Body base = links.isEmpty() ? whole : new Body(whole.name, own, rest, places(rest, whole), whole.getStart());
         RobotBodies bodies = new RobotBodies(base);
         bodies.setWhole(whole);
+        bodies.setMachine(object.getMachine());
         links.forEach(link -> bodies.addLink(link.make(base, places(link.solids, whole))));
         return base;
     }

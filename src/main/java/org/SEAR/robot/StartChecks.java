@@ -47,6 +47,9 @@ public final class StartChecks {
      */
     public static void check(RobotModel robot, RaycastScenes scenes, List<String> warnings) {
         String name = robot.getObject().getName();
+        if (robot.getObject().getMachine() != null) {
+            return;     // a part that joints move
+        }
         boolean moves = robot.getObject().getComponents().stream()
             .anyMatch(part -> part instanceof Servo || part instanceof Joint);
         if (robot.getObject().getWheels().isEmpty() && !moves) {

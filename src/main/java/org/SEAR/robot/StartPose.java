@@ -13,7 +13,7 @@ import org.SEAR.project.ObjectPose;
 /**
  * Start pose of a robot: its own pose times that of its dynamics. An upside-down pose is a misplaced heading, as in the
  * dissertation's Listing 2, which has 180 degrees at the wrong axis. The robot then stands upright, turned by 180
- * degrees, with a warning.
+ * degrees, with a warning. A part of a machine starts as written.
  */
 public final class StartPose {
     private static final double HALF_TURN = 180;
@@ -28,9 +28,9 @@ public final class StartPose {
     }
 
     /** @param warnings takes a warning for each correction */
-    static Pose of(SearObject robot, SearObject dynamics, List<String> warnings) {
+    static Pose of(SEARrobot robot, SearObject dynamics, List<String> warnings) {
         Pose written = ObjectPose.of(robot).times(ObjectPose.of(dynamics));
-        if (!isUpsideDown(written)) {
+        if (robot.getMachine() != null || !isUpsideDown(written)) {
             return written;
         }
         SearObject turned = isUpsideDown(ObjectPose.of(dynamics)) ? dynamics : robot;

@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.FixedJoint;
+import org.SEAR.POJOs.GuidedJoint;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Rope;
 import org.SEAR.POJOs.SEARrobot;
@@ -178,12 +179,24 @@ public final class WorldJoints {
                 ((DistanceJoint) made.joint).attachEnds(made.first == null ? made.onFirst
                     : made.first.getStart().times(made.onFirst), end);
             } else {
-                made.joint.attach(end);
-                made.onFirst = made.first == null ? end : inFrame(made.first.getStart(), end);
+                Pose begin = end.times(back(made));
+                made.joint.attach(begin, end);
+                made.onFirst = made.first == null ? begin : inFrame(made.first.getStart(), begin);
             }
             hold(made);
         }
         gears.forEach(GearJoint::engage);
+    }
+
+    /** Returns the displacement of the second object from the start to position 0, in the joint's frame. */
+    private static Pose back(Made made) {
+        if (!(made.object instanceof GuidedJoint)) {
+            return Pose.IDENTITY;
+        }
+        double start = made.unit * ((GuidedJoint) made.object).getStart();
+        ((org.SEAR.physics.joint.AxisJoint) made.joint).setStart(start);
+        return made.object instanceof Slider ? new Pose(0, -start, 0, 0, 0, 0, 1)
+            : new Pose(0, 0, 0, 0, -Math.sin(start / 2), 0, Math.cos(start / 2));
     }
 
     /**

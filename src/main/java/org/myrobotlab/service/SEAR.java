@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.ProjectOrigin;
 import org.SEAR.project.problems.Problem;
@@ -1081,6 +1083,55 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     public String importRobot(String path, String name) {
         return calls.attempt(() -> parts.projects()
             .importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
+    }
+
+    /**
+     * Adds a robot in URDF: a robot for each rigid body, and its joints. It stands on the ground at the world's origin;
+     * without a mass of its base it is fixed there. Statuses list what SEAR leaves out.
+     *
+     * @param path file, with its meshes beside it or in packages above it; or a zip file of both
+     * @return name of its base
+     * @throws IllegalStateException invalid file, or a simulation runs
+     * @example arm = sear.importUrdf("arm.urdf")
+     */
+    public String importUrdf(String path) {
+        return calls.attempt(() -> parts.projects().importUrdf(bundle(path), null, false, Map.of()));
+    }
+
+    /**
+     * Adds a robot in URDF at a place, like {@link #importUrdf(String)}.
+     *
+     * @param path file
+     * @param x metres north of its base
+     * @param y metres up
+     * @param z metres east
+     * @param fixed True: the base is fixed to the world
+     * @return name of its base
+     * @throws IllegalStateException invalid file, or a simulation runs
+     * @example arm = sear.importUrdf("arm.urdf", 0, 0.5, 1, True)
+     */
+    public String importUrdf(String path, double x, double y, double z, boolean fixed) {
+        return importUrdf(path, x, y, z, fixed, Map.of());
+    }
+
+    /**
+     * Adds a robot in URDF at a place with joint positions, like {@link #importUrdf(String)}.
+     *
+     * @param path file
+     * @param x metres north of its base
+     * @param y metres up
+     * @param z metres east
+     * @param fixed True: the base is fixed to the world
+     * @param positions at the start by the names of the joints in the file, degrees or metres
+     * @return name of its base
+     * @throws IllegalStateException invalid file or positions, or a simulation runs
+     * @example arm = sear.importUrdf("arm.urdf", 0, 0.5, 1, True, {"elbow": 90})
+     */
+    public String importUrdf(String path, double x, double y, double z, boolean fixed, Map<String, Number> positions) {
+        Map<String, Double> all = new TreeMap<>();
+        positions.forEach((joint, position) -> all.put(ScriptText.of(joint), position.doubleValue()));
+        return calls.attempt(() -> parts.projects().importUrdf(bundle(path), new Pose(x, y, z, 0, 0, 0, 1), fixed,
+            all));
     }
 
     /**

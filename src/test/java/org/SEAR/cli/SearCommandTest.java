@@ -74,6 +74,20 @@ public class SearCommandTest {
     }
 
     @Test
+    public void aRobotInUrdfIsImported() throws Exception {
+        Path file = folder.getRoot().toPath().resolve("arm.urdf");
+        Files.copy(Paths.get(System.getProperty("sear.root", "."), "examples/arm.urdf"), file);
+        assertEquals(err, 0, sear("import", "arm.urdf", "--fixed", "--joint", "lift=20"));
+        assertTrue(out, out.contains("arm: arm, arm shoulder, arm upper, arm lower, arm left_finger, "
+            + "arm right_finger\n"));
+        assertTrue(out, out.contains("joint arm grip_right, 0.0 to 0.04, follows arm grip by 1.0\n"));
+        assertTrue(Files.exists(folder.getRoot().toPath().resolve("SEARproject/robot/arm.xml")));
+        Files.writeString(file, "<robot/>");
+        assertEquals(2, sear("import", "arm.urdf"));
+        assertEquals("sear import: arm.urdf: the number of links is 0, legal: 1 to 1000\n", err);
+    }
+
+    @Test
     public void aScriptThatRaisesIs1WithItsTraceback() throws Exception {
         assertEquals(1, sear(script("print 'first'\nraise ValueError('no')"), "--port", "none"));
         assertEquals("first\n", out);

@@ -108,7 +108,8 @@ public class CodeOfTheDocsTest {
         entry("docs/sweeps.md python", SweepTest.class),
         entry("docs/sweeps.md python3", SweepTest.class),
         entry("docs/sweeps.md sh sear sweep ahead.py --seeds", SweepTest.class),
-        entry("docs/sweeps.md sh sear sweep ahead.py --again", SweepTest.class)));
+        entry("docs/sweeps.md sh sear sweep ahead.py --again", SweepTest.class),
+        entry("docs/urdf.md python", UrdfPageTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",
         "docs/classroom.md sh podman ", "needs a registry of images; the page says what was tried",

@@ -24,7 +24,7 @@ public class ScriptExamplesTest {
     /** Number of blocks with more than one example: preparation, callbacks, driving. */
     private static final int LONG_BLOCKS = 3;
     private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject",
-        "loadProject", "importRobot", "importEnvironment", "copyTemplate");
+        "loadProject", "importRobot", "importEnvironment", "importUrdf", "copyTemplate");
 
     /** Calls that need a vehicle; their examples run with the first block of its page. */
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed",
@@ -107,6 +107,7 @@ public class ScriptExamplesTest {
         assertEquals("all blocks of the page are examples", LONG_BLOCKS + count, blocks.size());
         Path drive = Files.createDirectories(folder.getRoot().toPath().resolve("examples/drive"));
         Files.copy(ROOT.resolve("examples/drive/maze_solver.py"), drive.resolve("maze_solver.py"));
+        Files.copy(ROOT.resolve("examples/arm.urdf"), folder.getRoot().toPath().resolve("arm.urdf"));
         Path file = folder.getRoot().toPath().resolve("examples.py");
         Files.writeString(file, script);
         String text = ScriptProcess.run(folder.getRoot().toPath(), file);

@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, Inertia, LIDAR, \
     Led, LineSensor, Marker, Maze, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wall, WallCorner, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -49,6 +49,7 @@ shape.rotate(0, 90, 0)
 
 robot = SEARrobot("robot")
 robot.move(1, 0, 1)
+robot.setMachine("machine")
 robot.addWheel(Wheel(name(), 0.1, 0.05))
 robot.addWheel(Wheel(name(), 0.1, 0.05, 0))
 robot.addWheel(Wheel(name(), 0.1, 0.05, 1, 0.1, 0, 0))
@@ -65,6 +66,7 @@ dynamics.setModel("create2")
 dynamics.setStreamHeaderSummed(False)
 dynamics.setErrors("car")
 dynamics.setErrors(DriveErrors(1, 0.1, 2, 0.5, 0.01, 3, 0.1, 0.2))
+dynamics.setInertia(Inertia(0.1, 0.2, -0.1, 1, 2, 1.5, 0.1, -0.1, 0.2))
 robot.addComponent(dynamics)
 
 def add(sensor):
@@ -286,6 +288,7 @@ for kind in (Hinge, Slider):
     joint.setDamping(0.4)
     joint.setSpring(5, 1)
     joint.setMotor(2, 90)
+    joint.setStart(1.5)
 add(ForceTorque(name(), joint.getName()))
 joint.setGear(Rope(name(), thrown, warm, 0, 1, 0, 0.6, 1, 0.8), -2)
 

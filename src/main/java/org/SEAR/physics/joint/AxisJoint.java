@@ -9,6 +9,7 @@ public abstract class AxisJoint extends Joint {
     /** The free direction: a unit vector, world frame. */
     final double[] along = new double[3];
     private JointRows filled;
+    private double start;
     private final JointAxis.Direction direction = (row, scale) -> fillAxis(filled, row, scale);
 
     AxisJoint(JointedBody a, JointedBody b) {
@@ -18,6 +19,11 @@ public abstract class AxisJoint extends Joint {
     /** The free direction. */
     public final JointAxis getAxis() {
         return axis;
+    }
+
+    /** @param position at which it is attached, metres or radians */
+    public final void setStart(double position) {
+        start = position;
     }
 
     /** Number of rows that hold the other directions. */
@@ -70,7 +76,7 @@ public abstract class AxisJoint extends Joint {
     @Override
     void restart() {
         super.restart();
-        axis.restart(0);
+        axis.restart(start);
         axis.fresh();
         measureAxis();
     }

@@ -144,6 +144,25 @@ public final class Bundle {
     }
 
     /**
+     * Returns whether a zip file contains a file with an ending, in lower case.
+     *
+     * @throws ProjectException with the problems of its directory
+     */
+    public static boolean hasFile(Path zip, String ending) throws IOException, ProjectException {
+        return new BundleReader(zip, Progress.NONE).hasFile(ending);
+    }
+
+    /**
+     * Unpacks a zip file of any content with the limits of bundles.
+     *
+     * @param folder empty
+     * @throws ProjectException with all problems
+     */
+    public static void unpackFiles(Path zip, Path folder) throws IOException, ProjectException {
+        new BundleReader(zip.toAbsolutePath().normalize(), Progress.NONE).unpackFiles(folder);
+    }
+
+    /**
      * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that the project already has get
      * a number.
      *

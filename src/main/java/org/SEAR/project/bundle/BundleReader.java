@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
@@ -39,6 +40,32 @@ final class BundleReader {
         this.name = bundle.getFileName().toString();
         this.progress = progress;
         this.rules = new BundleRules(name, problems);
+    }
+
+    /** Returns whether there is a file with an ending, in lower case. */
+    boolean hasFile(String ending) throws IOException, ProjectException {
+        try (FileChannel channel = FileChannel.open(bundle)) {
+            List<ZipDirectory.Entry> entries = new ZipDirectory(channel, name, problems).read();
+            problems.throwIfAny();
+            return entries.stream().anyMatch(entry -> entry.name.toLowerCase(Locale.ROOT).endsWith(ending));
+        }
+    }
+
+    /** Unpacks any zip file: neither a version nor objects are needed. */
+    void unpackFiles(Path folder) throws IOException, ProjectException {
+        try (FileChannel channel = FileChannel.open(bundle)) {
+            List<ZipDirectory.Entry> entries = new ZipDirectory(channel, name, problems).read();
+            problems.throwIfAny();
+            BundleLayout layout = new BundleLayout(entries);
+            checkNames(layout);
+            problems.throwIfAny();
+            for (ZipDirectory.Entry entry : layout.entries()) {
+                if (!entry.isFolder()) {
+                    extract(channel, entry, folder.resolve(entry.name));
+                }
+            }
+            problems.throwIfAny();
+        }
     }
 
     void unpack(Path folder) throws IOException, ProjectException {

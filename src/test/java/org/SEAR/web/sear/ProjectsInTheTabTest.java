@@ -285,6 +285,19 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
+    public void aDroppedOrChosenRobotInUrdfIsAdded() throws IOException {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        Path arm = MyRobotLab.example("maze").resolveSibling("arm.urdf");
+        drop("arm.urdf", Files.readAllBytes(arm));
+        browser.seeText(".sear-main .alert-info", "loaded arm.urdf");
+        tab.waitForRobot("arm");
+        assertTrue(Files.exists(project("robot/maze Roomba.xml")));
+        browser.all(".sear-file").get(1).sendKeys(arm.toAbsolutePath().normalize().toString());
+        tab.waitForRobot("arm_2");
+    }
+
+    @Test
     public void aDroppedFileOtherThanABundleIsRejectedAndTheProjectStays() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");

@@ -7,6 +7,7 @@ import * as words from '../shared/words.js'
 const CHUNK = 256 * 1024      // characters; MyRobotLab accepts messages up to 1 MiB
 const RECENT = 'sear.recentProjects'
 const NEW = 'project.sear'
+const ADDED = /\.urdf$/i       // files that are added to the project; others replace it
 const MOST_RECENT = 8
 
 /** The project controls of one panel. */
@@ -216,7 +217,9 @@ export class Project {
             const text = reader.result.substring(reader.result.indexOf(',') + 1)
             const parts = Math.max(1, Math.ceil(text.length / CHUNK))
             this.problems.forget()
-            this.leave()
+            if (!ADDED.test(file.name)) {
+                this.leave()
+            }
             for (let i = 0; i < parts; i++) {
                 this.msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
             }

@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.SEAR.files.AtomicFile;
 import org.SEAR.files.LongWork;
+import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectOrigin;
@@ -26,6 +27,7 @@ import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.bundle.Progress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.script.ProjectScript;
+import org.SEAR.project.urdf.UrdfImport;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -220,8 +222,12 @@ public final class Projects {
         load(meant, originOf(meant));
     }
 
-    /** Replaces the project like {@link #load} with a bundle from a panel, whose file is temporary. */
+    /** Takes a file from a panel: adds a robot in URDF, or replaces the project like {@link #load} with a bundle. */
     public synchronized void receive(Path file) throws IOException, ProjectException {
+        if (UrdfImport.isRobot(file)) {
+            importUrdf(file, null, false, Map.of());
+            return;
+        }
         load(file, new ProjectOrigin(file.getFileName().toString(), false));
     }
 
@@ -288,6 +294,26 @@ public final class Projects {
             file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
         report(renamed);
         return new ArrayList<>(renamed.values());
+    }
+
+    /**
+     * Adds a robot in URDF to the project, as {@link UrdfImport#add} describes.
+     *
+     * @return its name in the project
+     */
+    public synchronized String importUrdf(Path file, Pose place, boolean fixed, Map<String, Double> positions)
+        throws IOException {
+        control.refuseWhileAnyRuns("importUrdf");
+        List<String> notes = new ArrayList<>();
+        Runnable reported = LongWork.listen(host::progress);
+        try {
+            String name = UrdfImport.add(file, folder(), place, fixed, positions, notes);
+            control.scriptSession().projectTaken();
+            notes.forEach(note -> host.progress(file.getFileName() + ": " + note));
+            return name;
+        } finally {
+            reported.run();
+        }
     }
 
     private Progress importing(Path file) {

@@ -19,6 +19,7 @@ OBJECTS = (
     "ColorSensor",
     "Compass",
     "Cone",
+    "ContactForce",
     "Cylinder",
     "Distance",
     "Draft",

@@ -162,6 +162,11 @@ def draw_Bumper():
     for i in range(9):
         angle = -10 + 25 * i
         box(GREEN, 0.28, 0.1, 0.2, 0.6 * cos(radians(angle)), 0, 0.6 * sin(radians(angle)), 0, 90 - angle)
+def draw_ContactForce():
+    rod(DARK, 0.6, 0.2, 0, -0.3, 0)
+    rod(SILVER, 0.55, 0.12, 0, -0.1, 0)
+    rod(RED, 0.07, 0.5, 0, 0.55, 0)
+    tip(RED, 0.2, 0.3, 0, 0.15, 0, 180)
 def draw_Arduino():
     box(TEAL, 1.4, 1, 0.06)
     box(SILVER, 0.35, 0.3, 0.25, 0.6, 0.14, 0.25)

@@ -27,20 +27,22 @@ public class Bumper extends SensorObject implements Wirable {
     /** @param part the shape of the same robot that presses it */
     public Bumper(String name, Shape part) {
         super(name);
-        this.part = checkPart(part);
+        this.part = checkPart(this, part);
         created(Bumper.class);
     }
 
-    private String checkPart(Shape wanted) {
+    /** Returns the name of the part that presses a sensor, or throws with what is legal. */
+    static String checkPart(SensorObject sensor, Shape wanted) {
+        String label = sensor.label();
         if (wanted == null || !canPress(wanted)) {
             throw new IllegalArgumentException(
-                label() + ": " + (wanted == null ? "part is missing (None)" : wanted.label() + " can't press it")
-                + ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed by "
-                    + "each of them");
+                label + ": " + (wanted == null ? "part is missing (None)" : wanted.label() + " can't press it")
+                + ", legal: a shape that is a component of the same robot, and no wheel; "
+                + sensor.getClass().getSimpleName() + "(name) is pressed by each of them");
         }
-        if (robot() != null && wanted.robot() != null && robot() != wanted.robot()) {
-            throw new IllegalArgumentException(label() + ": " + wanted.label() + " is a part of " + wanted.robot()
-                .label() + ", legal: a part of " + robot().label());
+        if (sensor.robot() != null && wanted.robot() != null && sensor.robot() != wanted.robot()) {
+            throw new IllegalArgumentException(label + ": " + wanted.label() + " is a part of " + wanted.robot()
+                .label() + ", legal: a part of " + sensor.robot().label());
         }
         return wanted.getName();
     }
@@ -62,7 +64,7 @@ public class Bumper extends SensorObject implements Wirable {
     /** @param newPart the shape of the same robot that presses it */
     public void setPart(Shape newPart) {
         checkChangeable();
-        part = checkPart(newPart);
+        part = checkPart(this, newPart);
         changed();
     }
 }

@@ -230,6 +230,7 @@ public final class Body {
     /** Begins a step. */
     void begin() {
         solver.begin();
+        RobotBodies.release(this);
         noteTurningSpeed();
     }
 

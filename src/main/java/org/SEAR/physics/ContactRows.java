@@ -175,6 +175,16 @@ final class ContactRows {
         }
     }
 
+    /** Returns the normal impulse of all points of a slot in this substep, N s. */
+    double pressing(int slot) {
+        double sum = 0;
+        for (int i = 0; i < points[slot]; i++) {
+            int point = slot * SIZE + POINTS + i * POINT;
+            sum += data[point + PairRow.IMPULSE] + data[point + RESTITUTION_IMPULSE];
+        }
+        return sum;
+    }
+
     /**
      * Begins a substep and applies the impulses of the last one (warm starting). For an isolated body the impulse of an
      * impact is dropped, and no impulse grows with the length of the substep. In stacks a missing impulse would let all

@@ -358,7 +358,7 @@ final class IslandSolver {
             bodies.get(i).noteTurningSpeed();
         }
         for (int i = 0; i < pairs.size(); i++) {
-            pairs.get(i).moved(taken);
+            pairs.get(i).moved(rows, taken);
         }
         return taken;
     }

@@ -260,9 +260,14 @@ final class PairContacts {
     }
 
     /** Ends a substep. */
-    void moved(double seconds) {
+    void moved(ContactRows rows, double seconds) {
         fast = speed();
         travelled += fast * seconds;
+        for (int i = 0; i < count && (a.isRobot() || b.isRobot()); i++) {
+            double impulse = rows.pressing(slots[i]);
+            RobotBodies.press(a, now[i].solidA, impulse);
+            RobotBodies.press(b, now[i].solidB, impulse);
+        }
     }
 
     /** Adds an empty manifold; {@link #inherit} sets the impulses. */

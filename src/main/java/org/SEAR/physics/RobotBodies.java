@@ -2,6 +2,7 @@
 package org.SEAR.physics;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -14,6 +15,8 @@ import java.util.stream.Collectors;
 public final class RobotBodies {
     private final Body base;
     private final List<Body> links = new ArrayList<>();
+    /** Normal impulses of the contacts of each solid in the present step, N s: of the base, then of each link. */
+    private final List<double[]> pressed = new ArrayList<>();
     private Body whole;
     private String machine;
 
@@ -21,6 +24,7 @@ public final class RobotBodies {
     public RobotBodies(Body base) {
         this.base = base;
         whole = base;
+        pressed.add(new double[base.solids.size()]);
         base.setRobot(this);
     }
 
@@ -37,6 +41,7 @@ public final class RobotBodies {
     /** Adds a link. */
     public void addLink(Body link) {
         links.add(link);
+        pressed.add(new double[link.solids.size()]);
         link.setRobot(this);
     }
 
@@ -69,6 +74,29 @@ public final class RobotBodies {
             found = condition.test(links.get(i));
         }
         return found;
+    }
+
+    /** Adds the normal impulse of a contact, N s; does nothing for a body of no robot. */
+    static void press(Body of, int solid, double impulse) {
+        if (of.getRobot() != null) {
+            of.getRobot().pressed(of)[solid] += impulse;
+        }
+    }
+
+    /** Forgets the impulses on a body's solids. */
+    public static void release(Body of) {
+        if (of.getRobot() != null) {
+            Arrays.fill(of.getRobot().pressed(of), 0);
+        }
+    }
+
+    /** Returns the sum of the normal impulses on a robot's solid in the last step in which its body was awake, N s. */
+    public static double getPressed(Body of, int solid) {
+        return of.getRobot().pressed(of)[solid];
+    }
+
+    private double[] pressed(Body of) {
+        return pressed.get(of == base ? 0 : 1 + links.indexOf(of));
     }
 
     /** Returns the bodies with each robot in one body. */

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Bumper;
+import org.SEAR.POJOs.ContactForce;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -17,7 +18,8 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
 /**
- * Checks the relations of motors to wheels, servos to mounted parts, and bumpers to the parts that press them. One use.
+ * Checks the relations of motors to wheels, servos to mounted parts, and bumpers and force sensors to the parts that
+ * press them. One use.
  */
 final class VehicleCheck {
     private final Map<String, ParsedObject> parts;
@@ -44,7 +46,9 @@ final class VehicleCheck {
             } else if (parsed.object instanceof Servo) {
                 check(parsed, (Servo) parsed.object, robot);
             } else if (parsed.object instanceof Bumper) {
-                check(parsed, (Bumper) parsed.object, robot);
+                checkPressed(parsed, ((Bumper) parsed.object).getPart(), robot);
+            } else if (parsed.object instanceof ContactForce) {
+                checkPressed(parsed, ((ContactForce) parsed.object).getPart(), robot);
             }
         });
     }
@@ -117,12 +121,11 @@ final class VehicleCheck {
         }
     }
 
-    private void check(ParsedObject parsed, Bumper bumper, SEARrobot robot) {
-        String name = bumper.getPart();
+    private void checkPressed(ParsedObject parsed, String name, SEARrobot robot) {
         List<String> parts = robot.getComponents().stream().filter(Bumper::canPress).map(SearObject::getName)
             .collect(Collectors.toList());
         if (name != null && !parts.contains(name)) {
-            problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot "
+            problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the sensor's robot "
                 + robot.getName() + ": " + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
         }
     }

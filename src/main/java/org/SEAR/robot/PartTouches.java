@@ -3,10 +3,13 @@ package org.SEAR.robot;
 
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.RobotBodies;
+import org.SEAR.physics.solid.Solid;
 
 /** Parts of one robot's body that touch an object now. A sleeping body keeps its last contacts. Simulation thread. */
 final class PartTouches {
@@ -14,6 +17,7 @@ final class PartTouches {
     private static final double BUMPER_OVERLAP = Math.toRadians(15);
 
     private final Map<String, Integer> solids = new HashMap<>();
+    private final Map<String, Spot> spots = new LinkedHashMap<>();
     private final boolean[] touched;
     private final int wheelsFrom;
     private final Body body;
@@ -24,12 +28,30 @@ final class PartTouches {
     PartTouches(RobotBuilder from) {
         from.object.getComponents().stream().filter(from.shapes::containsKey)
             .forEach(part -> solids.put(part.getName(), from.solidOf(part)));
+        from.object.getComponents().stream().filter(from.shapes::containsKey)
+            .forEach(part -> spots.put(part.getName(), new Spot(from.bodyOf(part), from.shapes.get(part))));
         touched = new boolean[RobotBodies.whole(from.body).solids.size()];
         body = from.body;
         wheelsFrom = touched.length - from.wheelSolids.size();
     }
 
+    /** A part as a solid of one of the robot's bodies. */
+    private static final class Spot {
+        private final Body body;
+        private final int solid;
+
+        Spot(Body body, Solid solid) {
+            this.body = body;
+            this.solid = body.solids.indexOf(solid);
+        }
+
+        double force() {
+            return RobotBodies.getPressed(body, solid) / TimeStep.SECONDS;
+        }
+    }
+
     void restart() {
+        spots.values().forEach(spot -> RobotBodies.release(spot.body));
         clear();
         release();
     }
@@ -72,6 +94,15 @@ final class PartTouches {
 
     boolean isBumpedRight() {
         return bumpedRight;
+    }
+
+    /**
+     * Returns the sum of the normal forces on a part, the mean of the last step, N.
+     * @param part name of a component; null for all parts without the wheels
+     */
+    double force(String part) {
+        Spot spot = part == null ? null : spots.get(part);
+        return part == null ? spots.values().stream().mapToDouble(Spot::force).sum() : spot == null ? 0 : spot.force();
     }
 
     /** @param part name of a component; null for any part, wheels included */

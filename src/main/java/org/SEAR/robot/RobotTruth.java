@@ -213,6 +213,11 @@ public final class RobotTruth implements Truth {
     }
 
     @Override
+    public double contactForce(String part) {
+        return touches.force(part);
+    }
+
+    @Override
     public boolean isGround(int shape) {
         return scenes.isGround(shape);
     }

@@ -72,6 +72,15 @@ public interface Truth {
         return false;
     }
 
+    /**
+     * Returns the sum of the normal forces of the contacts on a part of this robot, the mean of the last step, N.
+     *
+     * @param part name of a component that is a shape; null for all parts except wheels
+     */
+    default double contactForce(String part) {
+        return 0;
+    }
+
     /** Returns whether a shape of the scene is ground: a floor or the terrain. */
     default boolean isGround(int shape) {
         return false;

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.ContactForce;
 import org.SEAR.POJOs.ForceTorque;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -53,8 +54,9 @@ public class ExamplesTest {
             robot.getComponents().forEach(c -> kinds.add(c.getClass().getSimpleName()));
         }
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
-            // the camera is in examples/ball.py, and ForceTorque needs a joint
-            if (SensorObject.class.isAssignableFrom(type) && type != Camera.class && type != ForceTorque.class) {
+            // the camera is in examples/ball.py, ForceTorque needs a joint, and ContactForce a load
+            if (SensorObject.class.isAssignableFrom(type)
+                && !Set.of(Camera.class, ForceTorque.class, ContactForce.class).contains(type)) {
                 assertTrue(type.getSimpleName(), kinds.contains(type.getSimpleName()));
             }
         }

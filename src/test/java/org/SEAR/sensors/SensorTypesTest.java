@@ -37,7 +37,7 @@ public class SensorTypesTest {
 
     @Test
     public void theSensorsOfSearAreThere() {
-        assertEquals(List.of("Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance",
+        assertEquals(List.of("Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "ContactForce", "Distance",
             "ForceTorque", "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor", "Odometer"), names());
         assertTrue(SensorTypes.load().create(new Compass("north"), 1) instanceof CompassSensor);
         assertTrue(SensorTypes.load().isSensor(new Compass("north")));
@@ -50,7 +50,7 @@ public class SensorTypesTest {
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load()
             .create(box, 1));
         assertEquals("Box crate is no sensor; sensors are Accelerometer, Bumper, Camera, ColorSensor, Compass, "
-            + "Distance, ForceTorque, GPS, Gyroscope, IMU, LIDAR, LineSensor, Odometer", e.getMessage());
+            + "ContactForce, Distance, ForceTorque, GPS, Gyroscope, IMU, LIDAR, LineSensor, Odometer", e.getMessage());
     }
 
     @Test

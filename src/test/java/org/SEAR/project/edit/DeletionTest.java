@@ -68,6 +68,11 @@ public class DeletionTest extends EditedProject {
             add("Box", "bar", "length", 0.2, "width", 0.02, "height", 0.02);
             add("Bumper", "touch", "part", "bar");
         }));
+        cases.put("ContactForce.part",
+            new Case("bar", "contactforce press lost its part bar; Undo brings back both", () -> {
+            add("Box", "bar", "length", 0.2, "width", 0.02, "height", 0.02);
+            add("ContactForce", "press", "part", "bar");
+        }));
         cases.put("Arduino.wire.part",
             new Case("ping", "arduino uno lost its wire to ping; Undo brings back both", () -> {
             add("Distance", "ping", "beam", "laser");

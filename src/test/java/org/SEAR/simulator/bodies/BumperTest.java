@@ -261,6 +261,6 @@ public class BumperTest {
         ProjectException e = assertThrows(ProjectException.class, () -> Project.read(project.folder()));
         assertEquals(1, e.getProblems().size());
         assertTrue(e.getMessage(), e.getMessage()
-            .contains("part is \"roverBody\", legal: the name of a shape of the bumper's robot other: otherBody"));
+            .contains("part is \"roverBody\", legal: the name of a shape of the sensor's robot other: otherBody"));
     }
 }

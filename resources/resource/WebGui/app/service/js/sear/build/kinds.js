@@ -25,7 +25,7 @@ const WORDS = {
     Hinge: 'Hinge', Slider: 'Slider', BallJoint: 'Ball joint', FixedJoint: 'Fixed joint', Rope: 'Rope or spring',
     ForceTorque: 'Force and torque',
     ball: 'Ball', table: 'Table', ramp: 'Ramp', coneAlley: 'Cone alley', goal: 'Goal', Gravity: 'Gravity',
-    Maze: 'Maze', FloorPlan: 'Floor plan', Wall: 'Wall'
+    Maze: 'Maze', FloorPlan: 'Floor plan', Wall: 'Wall', ContactForce: 'Contact force'
 }
 // Other search words.
 const ALSO = {
@@ -48,7 +48,7 @@ const ALSO = {
     FixedJoint: 'joint weld glue', Rope: 'joint cable chain winch rod elastic',
     FloorPlan: 'map ros walls picture maze office yaml pgm', Maze: 'walls labyrinth micromouse eyesim',
     Wall: 'line fence room house',
-    ForceTorque: 'joint wrench load cell scale strain',
+    ForceTorque: 'joint wrench load cell scale strain', ContactForce: 'touch pressure bumper scale newton',
     ball: 'football toy', table: 'desk furniture', ramp: 'slope hill climb', coneAlley: 'slalom pylon lane',
     goal: 'football gate', Gravity: 'moon mars weightless weight acceleration world'
 }

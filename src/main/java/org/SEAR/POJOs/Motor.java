@@ -11,12 +11,12 @@ import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /**
- * An electric motor with a gear, which turns one or more wheels of its robot. Its torque decreases linearly with its
- * speed: torque = stallTorque (power - speed / noLoadSpeed). The wheels share the torque, each at its own speed. The
- * SEAR service of the simulation commands the motor.
+ * An electric motor with a gear, which turns one or more wheels of its robot, or drives one of its joints. Its torque
+ * decreases linearly with its speed: torque = stallTorque (power - speed / noLoadSpeed). Wheels share the torque, each
+ * at its own speed. The SEAR service of the simulation commands the motor.
  */
-@Described("an electric motor with a gear, which turns wheels of its robot: torque = stallTorque (power - speed / "
-    + "noLoadSpeed); the wheels share the torque, each at its own speed")
+@Described("an electric motor with a gear, which turns wheels of its robot or drives a joint: torque = stallTorque "
+    + "(power - speed / noLoadSpeed); the wheels share the torque, each at its own speed")
 public class Motor extends SearObject implements Wirable {
     private static final int MAX_WHEELS = 100;
     private static final double STALL_TORQUE = 0.5;
@@ -26,11 +26,15 @@ public class Motor extends SearObject implements Wirable {
     @Param(doc = "name of a driven wheel of the same robot", element = "wheel", text = TextRule.NAME,
         names = Wheel.class, needed = true, maxEntries = MAX_WHEELS)
     private List<String> wheelNames = new ArrayList<>();
+    @Param(doc = "name of the hinge, slider or rope of the same robot that it drives, instead of wheels",
+        text = TextRule.NAME, names = AxisJoint.class, needed = true)
+    private String joint;
     @Param(doc = "torque of the motor's shaft at full power and standstill", unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
     @Param(doc = "speed of the motor's shaft at full power without load", unit = "rad/s", min = 0.001, max = 1e5)
     private double noLoadSpeed = NO_LOAD_SPEED;
-    @Param(doc = "turns of the motor's shaft per turn of its wheels", min = 0.001, max = 1e5)
+    @Param(doc = "turns of the motor's shaft per turn of its wheels or hinge, radians per metre of a slider or rope",
+        min = 0.001, max = 1e5)
     private double gearRatio = 1;
     @Param(doc = "encoder counts per turn of the motor's shaft; 0 for no encoder", max = 1e6)
     private int encoderCounts = COUNTS;
@@ -79,6 +83,39 @@ public class Motor extends SearObject implements Wirable {
         wheel.setMover(this);
     }
 
+    /**
+     * Drives a joint: stall torque 0.5 N m, no-load speed 20 rad/s, an encoder with 360 counts per turn.
+     *
+     * @param joint a hinge, slider or rope of the same robot, without {@code setMotor}
+     */
+    public Motor(String name, AxisJoint joint) {
+        this(name, joint, STALL_TORQUE, NO_LOAD_SPEED, 1, COUNTS);
+    }
+
+    /**
+     * Drives a joint.
+     *
+     * @param joint a hinge, slider or rope of the same robot, without {@code setMotor}
+     * @param stallTorque of the motor's shaft, N m
+     * @param noLoadSpeed of the motor's shaft, rad/s
+     * @param gearRatio turns of the motor's shaft per turn of a hinge, radians per metre of a slider or rope
+     * @param encoderCounts per turn of the motor's shaft, 0 for no encoder
+     */
+    public Motor(String name, AxisJoint joint, double stallTorque, double noLoadSpeed, double gearRatio,
+        int encoderCounts) {
+        super(name);
+        this.stallTorque = stallTorque;
+        this.noLoadSpeed = noLoadSpeed;
+        this.gearRatio = gearRatio;
+        this.encoderCounts = encoderCounts;
+        if (joint == null) {
+            throw new IllegalArgumentException(label() + ": joint is missing (None), legal: a hinge, slider or rope of "
+                + "the same robot, or a driven wheel (type 1)");
+        }
+        this.joint = joint.getName();
+        created(Motor.class);
+    }
+
     @Override
     boolean isRobotPart() {
         return true;
@@ -93,8 +130,10 @@ public class Motor extends SearObject implements Wirable {
 
     @Override
     protected void crossCheck(Faults faults) {
-        if (wheelNames.isEmpty()) {
+        if (wheelNames.isEmpty() && joint == null) {
             faults.add("wheel", "", "the name of a driven wheel of the same robot");
+        } else if (!wheelNames.isEmpty() && joint != null) {
+            faults.add("joint", joint, "none for a motor that turns wheels");
         }
     }
 
@@ -126,6 +165,10 @@ public class Motor extends SearObject implements Wirable {
     public void addWheel(Wheel wheel) {
         checkChangeable();
         checkWheel(wheel);
+        if (joint != null) {
+            throw new IllegalArgumentException(label() + ": it drives the joint " + joint
+                + ", legal: a motor of wheels");
+        }
         if (wheelNames.contains(wheel.getName())) {
             throw new IllegalArgumentException(label() + ": " + wheel.label() + " is its wheel already, legal: "
                 + "another wheel");
@@ -137,6 +180,11 @@ public class Motor extends SearObject implements Wirable {
         wheelNames.add(wheel.getName());
         wheel.setMover(this);
         changed();
+    }
+
+    /** Returns the name of the joint that it drives; null for a motor of wheels. */
+    public String getJoint() {
+        return joint;
     }
 
     /** Returns the names of the motor's wheels; a view. */

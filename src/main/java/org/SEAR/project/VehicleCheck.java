@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.AxisJoint;
 import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.ContactForce;
 import org.SEAR.POJOs.Motor;
@@ -84,7 +85,23 @@ final class VehicleCheck {
         return wheel.getSteeringServo() == null ? Parameter.format(wheel.getSteering()) : wheel.getSteeringServo();
     }
 
+    private void checkDriven(ParsedObject parsed, String name, SEARrobot robot) {
+        SearObject joint = robot.getComponents().stream().filter(one -> one.getName().equals(name)).findFirst()
+            .orElse(null);
+        String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
+        if (!(joint instanceof AxisJoint)) {
+            problems.add(parsed.file, parsed.line("joint"), "joint", name, "the name of a hinge, slider or rope of the "
+                + "motor's robot " + robot.getName());
+        } else if (((AxisJoint) joint).getStallForce() > 0 || other != null) {
+            problems.add(parsed.file, parsed.line("joint"), "joint", name, "a joint that nothing drives yet; "
+                + (other == null ? "this one has a motor of its own, by setMotor" : other + " drives it"));
+        }
+    }
+
     private void check(ParsedObject parsed, Motor motor, SEARrobot robot) {
+        if (motor.getJoint() != null) {
+            checkDriven(parsed, motor.getJoint(), robot);
+        }
         int index = 0;
         for (String name : motor.getWheelNames()) {
             int line = parsed.line("wheel#" + index++);

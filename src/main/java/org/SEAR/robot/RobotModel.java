@@ -4,6 +4,7 @@ package org.SEAR.robot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Motor;
@@ -20,6 +21,7 @@ import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.RaycastScenes;
 import org.SEAR.physics.RobotBodies;
 import org.SEAR.physics.solid.Solid;
+import org.SEAR.robot.servo.JointMotor;
 import org.SEAR.robot.wheel.DriveTrain;
 import org.SEAR.robot.wheel.MotorDrive;
 import org.SEAR.robot.wheel.Obstacle;
@@ -52,6 +54,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final double bodyRadius;
     private final boolean hasFarWheels;
     private final List<MotorDrive> motors = new ArrayList<>();
+    private final List<JointMotor> jointMotors = new ArrayList<>();
     private final ServoMounts turrets;
     private final LedLights lights;
     private final Stability stability;
@@ -93,7 +96,9 @@ public final class RobotModel implements Robot, RobotHardware {
         this.reported = told;
         this.stuck = new StuckCheck(object);
         for (SearObject part : object.getComponents()) {
-            if (part instanceof Motor) {
+            if (part instanceof Motor && ((Motor) part).getJoint() != null) {
+                jointMotors.add(new JointMotor((Motor) part, object.getName()));
+            } else if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
             }
         }
@@ -127,6 +132,7 @@ public final class RobotModel implements Robot, RobotHardware {
      */
     public void restart(PhysicsWorld physics, long seed) {
         turrets.attach();
+        jointMotors.forEach(JointMotor::restart);
         WheelErrors errors = new WheelErrors(dynamics.getErrors(), seed, object.getName());
         train = new DriveTrain(body, object.getWheels(), springs, motors, errors, turrets::find, number,
             truth::gravity, reported);
@@ -160,6 +166,9 @@ public final class RobotModel implements Robot, RobotHardware {
     public void prepare() {
         boolean busy = train.isCommanded() || groundMoves();
         busy |= turrets.step();
+        for (int i = 0; i < jointMotors.size(); i++) {
+            busy |= jointMotors.get(i).isCommanded();
+        }
         body.setDriven(busy);
         if (busy) {
             body.wake();
@@ -403,7 +412,13 @@ public final class RobotModel implements Robot, RobotHardware {
 
     @Override
     public MotorHardware getMotor(String name) {
-        return motors.stream().filter(motor -> motor.getName().equals(name)).findFirst().orElse(null);
+        return Stream.<MotorHardware>concat(motors.stream(), jointMotors.stream())
+            .filter(motor -> motor.getName().equals(name)).findFirst().orElse(null);
+    }
+
+    /** Motors that drive its joints. */
+    public List<JointMotor> getJointMotors() {
+        return jointMotors;
     }
 
     @Override

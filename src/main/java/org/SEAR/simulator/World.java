@@ -114,6 +114,7 @@ final class World implements PhysicsWorld.Touches {
         }
         places.end();
         joints = new WorldJoints(project, physics, bodies, reported);
+        robots.forEach(joints::connect);
         moveOutAndCheck();
         fallen = new KillPlane(physics.getBodies(), reported);
         moves = new Teleports(this, reported);

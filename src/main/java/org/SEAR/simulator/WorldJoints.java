@@ -39,7 +39,9 @@ import org.SEAR.project.PartNames;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.StartPose;
+import org.SEAR.robot.servo.JointMotor;
 import org.SEAR.sensors.JointReading;
 
 /** The joints of a world: from objects of the grammar to the physics, and by name. Simulation thread. */
@@ -86,6 +88,13 @@ public final class WorldJoints {
             onFirst = inFrame(firstFrame, frame);
             onSecond = inFrame(secondFrame, object instanceof Rope ? end((Rope) object) : frame);
             unit = object instanceof Hinge ? Math.toRadians(1) : 1;
+        }
+
+        void wake() {
+            second.wake();
+            if (first != null) {
+                first.wake();
+            }
         }
     }
 
@@ -286,9 +295,14 @@ public final class WorldJoints {
                 + greatest);
         }
         axis(made).drive(drive, drive == JointAxis.Drive.POWER ? value : made.unit * value);
-        made.second.wake();
-        if (made.first != null) {
-            made.first.wake();
+        made.wake();
+    }
+
+    /** Connects the motors of a robot with the joints that they drive. */
+    void connect(RobotModel robot) {
+        for (JointMotor motor : robot.getJointMotors()) {
+            Made made = ofRobots.get(robot.getObject().getName()).get(motor.getObject().getJoint());
+            motor.connect(axis(made), made::wake);
         }
     }
 

@@ -48,7 +48,7 @@ public class JythonTest {
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(11, robot.getWheels().size());
-        assertEquals(64, robot.getComponents().size());
+        assertEquals(73, robot.getComponents().size());
     }
 
     /** Relative paths of a script refer to its os.getcwd(). */

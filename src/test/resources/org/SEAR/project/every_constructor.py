@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, Inertia, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BallJoint, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, ContactForce, Cylinder, Distance, DriveErrors, Dynamics, FixedJoint, Floor, FloorPlan, ForceTorque, GPS, Gravity, Gyroscope, Hinge, IMU, Inertia, LIDAR, \
     Led, LineSensor, Marker, Maze, Model, Motor, Noise, Odometer, Picture, Rope, SEARrobot, Servo, Slider, Sphere, Terrain, Wall, WallCorner, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -308,3 +308,15 @@ Wall("wall", [(0, 0), (2, 0)])
 wall = Wall("wall", [WallCorner(0, 0), [2, 0], (2, 1.5)], 0.2, 2)
 wall.setCorners([(0, 0), (3, 0)])
 wall.setThickness(0.15)
+
+lid = add(Box(name(), 0.3, 0.02, 0.05))
+tray = add(Box(name(), 0.3, 0.02, 0.05))
+add(ContactForce(name()))
+force = add(ContactForce(name(), lid))
+force.setPart(tray)
+hinge = Hinge(name(), None, lid, 0, 1, 0)
+hinge.mount(add(Compass(name())))
+add(hinge)
+slider = add(Slider(name(), None, tray, 0, 1, 0))
+add(Motor(name(), hinge))
+add(Motor(name(), slider, 0.1, 50, 200, 12))

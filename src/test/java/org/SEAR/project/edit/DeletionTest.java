@@ -87,6 +87,11 @@ public class DeletionTest extends EditedProject {
             arm("Hinge");
             add("ForceTorque", "scale", "joint", "elbow");
         }));
+        cases.put("Motor.joint", new Case("elbow", "motor winch was deleted with hinge elbow; Undo brings back both",
+            () -> {
+            arm("Hinge");
+            add("Motor", "winch", "joint", "elbow");
+        }));
         cases.put("SEARrobot.wheel.steeringServo", steering());
         cases.put("Wheel.steeringServo", steering());
         return cases;

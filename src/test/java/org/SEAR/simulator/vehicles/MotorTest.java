@@ -163,7 +163,8 @@ public class MotorTest {
         Wheel left = robot.getWheels().get(0);
         said("Motor \"m\": Wheel \"cartIdler\" has type 0, legal: a driven wheel (type 1)",
             () -> new Motor("m", robot.getWheels().get(2)));
-        said("Motor \"m\": wheel is missing (None), legal: a driven wheel (type 1)", () -> new Motor("m", null));
+        said("Motor \"m\": wheel is missing (None), legal: a driven wheel (type 1)",
+            () -> new Motor("m", (Wheel) null));
         said("Motor \"m\": stallTorque is -1, legal: a number from 0.000001 to 1000000 N m",
             () -> new Motor("m", left, -1, 5));
         Motor motor = new Motor("engine", left);

@@ -47,6 +47,12 @@ export function partsOf(world, robot) {
     return found ? found.parts.filter(part => part.type !== 'Wheel' && part.type !== 'Led').map(part => part.name) : []
 }
 
+/** Returns the name of a robot's first joint without a motor of its own; undefined if there is none. */
+export function jointToDrive(world, robot) {
+    const free = (world && world.joints || []).filter(joint => joint.robot === robot && joint.numbers && !joint.command)
+    return free.length ? pointing.short(free[0].name) : undefined
+}
+
 /** Returns the names of all objects and robots, and robot/part for the shapes of robots. */
 export function ends(world) {
     const robots = world ? world.robots.map(one => one.name) : []

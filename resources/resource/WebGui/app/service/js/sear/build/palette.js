@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The palette of the SEAR panel: all kinds of objects, placed by a click in the view.
 import {mounted, tilted, withGround} from './mounting.js'
-import {Joining, WORLD, ends} from './joints.js'
+import {Joining, WORLD, ends, jointToDrive} from './joints.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
 import {THINGS, isThing, thingEdit} from './things.js'
@@ -98,17 +98,25 @@ export class Palette {
         return this.isOfWheels(field.p) ? drivenWheels(this.world.shown(), this.view.robot) : []
     }
 
-    /** Without a chosen wheel, a motor turns the first wheel without a motor. @return whether there is one */
+    /**
+     * Without a chosen wheel, a motor turns the first wheel without a motor, or drives a joint.
+     * @return whether there is one
+     */
     chooseWheel(edit) {
         const parameter = this.armed.type.parameters.filter(one => this.isOfWheels(one))[0]
         if (!parameter || edit.set[parameter.name]) {
             return true
         }
         const wheel = wheelToTurn(this.world.shown(), edit.to)
+        const joint = jointToDrive(this.world.shown(), edit.to)
+        if (!wheel && joint) {
+            edit.set.joint = joint
+            return true
+        }
         edit.set[parameter.name] = wheel
         if (!wheel) {
             this.messages.say('error', 'a ' + this.armed.name + ' needs a driven wheel without a motor, and ' + edit.to
-                + ' has none: add a Wheel first')
+                + ' has none: add a Wheel or a joint first')
         }
         return Boolean(wheel)
     }

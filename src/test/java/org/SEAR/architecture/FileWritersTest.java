@@ -47,6 +47,7 @@ public class FileWritersTest {
         Map.entry("RasterFile.java", "a temporary file"),
         Map.entry("SearCommand.java", "a temporary file"),
         Map.entry("TerrainCut.java", "a temporary folder"),
+        Map.entry("UrdfMeshes.java", "copies new files into assets before the objects that name them"),
         Map.entry("WindowProcess.java", "standard output")));
 
     @Test

@@ -139,12 +139,13 @@ public final class UrdfImport {
 
     /** Sets the joints' positions at the start, radians or metres. */
     private void start(Map<String, Double> given) throws IOException {
-        for (String wanted : given.keySet()) {
-            UrdfFile.UrdfJoint joint = urdf.joints.get(wanted);
+        for (Map.Entry<String, Double> wanted : given.entrySet()) {
+            UrdfFile.UrdfJoint joint = urdf.joints.get(wanted.getKey());
             if (joint == null || !joint.hasAxis()) {
                 Set<String> legal = new TreeSet<>(urdf.joints.keySet());
                 legal.removeIf(each -> !urdf.joints.get(each).hasAxis());
-                throw FileLimits.wrong(source.getName(), "the position of joint " + wanted, given.get(wanted),
+                throw FileLimits.wrong(source.getName(), "the position of joint " + wanted.getKey(),
+                    wanted.getValue(),
                     "positions of its joints " + String.join(", ", legal));
             }
         }

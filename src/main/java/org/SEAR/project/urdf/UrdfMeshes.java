@@ -127,8 +127,7 @@ final class UrdfMeshes {
         }
         for (Path place : places) {
             Path whole = place.normalize();
-            if (whole.startsWith(top) && Files.isRegularFile(whole)
-                && whole.toRealPath().startsWith(top.toRealPath())) {
+            if (whole.startsWith(top) && Files.isRegularFile(whole) && isBelowTop(whole)) {
                 return whole;
             }
         }
@@ -152,16 +151,19 @@ final class UrdfMeshes {
         try (Stream<Path> all = Files.list(from)) {
             beside = all.filter(each -> BESIDE.contains(ending(each))).sorted().collect(Collectors.toList());
         }
-        String words = beside.isEmpty() || ending(model).equals("stl") ? "" : text(model);
+        StringBuilder words = new StringBuilder();
+        if (!beside.isEmpty() && !ending(model).equals("stl")) {
+            words.append(text(model));
+        }
         Set<Path> copies = new HashSet<>(Set.of(model));
         for (Path each : beside) {
-            if (ending(each).equals("mtl") && words.contains(each.getFileName().toString())) {
-                words += text(each);
+            if (ending(each).equals("mtl") && isNamed(each, words)) {
+                words.append(text(each));
                 copies.add(each);
             }
         }
         for (Path each : beside) {
-            if (words.contains(each.getFileName().toString())) {
+            if (isNamed(each, words)) {
                 copies.add(each);
             }
         }
@@ -173,6 +175,15 @@ final class UrdfMeshes {
             }
         }
         return to + "/" + UrdfImport.legal(model.getFileName().toString());
+    }
+
+    /** Whether a file is named in a text, and no link that leads out of the folders that may be read. */
+    private boolean isNamed(Path file, StringBuilder words) throws IOException {
+        return words.indexOf(file.getFileName().toString()) >= 0 && isBelowTop(file);
+    }
+
+    private boolean isBelowTop(Path file) throws IOException {
+        return file.toRealPath().startsWith(top.toRealPath());
     }
 
     private static String ending(Path file) {

@@ -14,12 +14,15 @@ import org.SEAR.POJOs.Chessboard;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.FloorPlan;
 import org.SEAR.POJOs.Marker;
+import org.SEAR.POJOs.Maze;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Picture;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Wall;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.InertiaTensor;
@@ -90,6 +93,7 @@ public class SolidsTest {
         shapes.forEach(shape -> tested.add(shape.getClass()));
         tested.add(Model.class);
         tested.add(Terrain.class);
+        tested.addAll(List.of(Maze.class, FloorPlan.class, Wall.class));    // by WallsTest
         assertEquals(tested, new HashSet<>(new Solids().types()));
     }
 

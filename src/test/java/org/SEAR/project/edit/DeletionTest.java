@@ -157,8 +157,8 @@ public class DeletionTest extends EditedProject {
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
             addReferences(found, unknown, all, type, type.getSimpleName());
         }
-        assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param",
-            "[Distance.beam]", unknown.toString());
+        assertEquals("beams and machines are no objects; other parameters that name something say so in their @Param",
+            "[Distance.beam, SEARrobot.machine]", unknown.toString());
         assertEquals(new TreeSet<>(cases().keySet()), found);
     }
 

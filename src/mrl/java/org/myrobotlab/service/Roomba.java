@@ -162,8 +162,13 @@ public class Roomba extends Service<RoombaConfig> {
     public boolean send(byte[] bytes) {
         try {
             if (!serial.isConnected()) {
-                failCall("is not connected: %s%s", portName == null ? "call connect(port) first, then "
-                    : "MyRobotLab's Roomba closes its port after connect(port). After it, ", remedy(rate()));
+                if (portName == null) {
+                    failCall("is not connected: call connect(port) first, then %s", remedy(rate()));
+                } else {
+                    // no failure of the script: those of the dissertation do so
+                    error("is not connected: MyRobotLab's Roomba closes its port after connect(port). After it, %s",
+                        remedy(rate()));
+                }
                 return false;
             }
             serial.write(bytes);

@@ -16,7 +16,8 @@ FOLDER = "org.SEAR.grammar.ScriptFolder"
 _WAITS = {(SEAR, "simSleep"): 0.4, (SEAR, "step"): 24}
 # Calls that take paths, or depend on the working folder
 _FILED = frozenset((SEAR, name) for name in (
-    "saveImage", "savePlan", "saveProject", "saveProjectAs", "loadProject", "importRobot", "importEnvironment", "copyTemplate", "recordRun",
+    "saveImage", "savePlan", "saveProject", "saveProjectAs", "loadProject", "importRobot", "importUrdf",
+    "importEnvironment", "copyTemplate", "recordRun",
     "rerunRecord", "getRecords", "getRecordNames", "getRecordValues", "getRecordFrames", "getRecordPicture", "getRecordMotion", "saveRecordCsv",
     "saveRecordPlot", "savePlot", "exportPort"))
 # Calls that create a service

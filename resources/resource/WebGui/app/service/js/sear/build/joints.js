@@ -16,7 +16,7 @@ const TAUT = 1e-3             // metres: a rope whose limit is within this of it
 // The inspector's words for parameters of joints.
 export const WORDS = {
     first: 'first object', second: 'second object', part: 'move with it', collide: 'they collide',
-    breakingForce: 'breaks at',
+    breakingForce: 'breaks at', start: 'position at start',
     lower: 'lower limit', upper: 'upper limit', restitution: 'bounce', friction: 'dry friction', damping: 'damper',
     stiffness: 'spring rate', rest: 'spring at rest at', stallForce: 'motor force', noLoadSpeed: 'motor speed',
     gear: 'follows joint', ratio: 'gear ratio',
@@ -25,7 +25,7 @@ export const WORDS = {
 export const GROUPS = [
     ['Objects', /^(first|second|part|collide|breakingForce)$/],
     ['Place', /^([xyz]|r[xyz]|end[XYZ])$/],
-    ['Limits', /^(lower|upper|restitution)$/],
+    ['Limits', /^(start|lower|upper|restitution)$/],
     ['Motor', /^(stallForce|noLoadSpeed|gear|ratio)$/],
     ['Spring and losses', /^(stiffness|rest|damping|friction)$/],
     ['Settings', null]

@@ -103,7 +103,7 @@ public class DistributionTest {
         }
         for (String drive : List.of("arduino_rover", "balance", "car_waypoints", "follow_ball",
             "gps_waypoints", "lidar_mapper",
-            "line_follower", "maze_solver",
+            "line_follower", "map_driver", "maze_solver",
                 "mountain_climber", "obstacle_avoidance", "radar_turret", "wall_follower")) {
             assertTrue(drive, plugin.contains("resource/SEAR/drive/" + drive + ".py"));
         }
@@ -119,8 +119,8 @@ public class DistributionTest {
         assertEquals(result.toString(), 0, result.status);
         assertTrue(result.toString(), result.out.contains(
             "arduino_rover.py, balance.py, car_waypoints.py, follow_ball.py, gps_waypoints.py, lidar_mapper.py,"
-            + " line_follower.py, maze_solver.py, mountain_climber.py, obstacle_avoidance.py, radar_turret.py, "
-                + "wall_follower.py"));
+            + " line_follower.py, map_driver.py, maze_solver.py, mountain_climber.py, obstacle_avoidance.py,"
+            + " radar_turret.py, wall_follower.py"));
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));
     }
 

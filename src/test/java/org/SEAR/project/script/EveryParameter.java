@@ -20,12 +20,14 @@ import org.SEAR.grammar.TextRule;
 final class EveryParameter {
     private static final List<Object> TEXTS = Arrays.asList("laser", "textures/brick.png", "#12ab34", "ttyX", "MT3329",
         "LMS291", "roomba400", "1");
+    /** Two lines of a maze. */
+    private static final List<Object> DRAWING = Arrays.asList(" _ _", "|_|r|");
     private static final List<Object> NUMBERS = Arrays.asList(0.5, 0.25, 2.5, 1.0, 45.0, 500.0, 9600.0);
     private static final List<Object> WHOLES = Arrays.asList(2, 1, 0, 12, 500, 19200);
     private static final int MOST_COMPANIONS = 3;
     private static final List<String> NUMBERS_THAT_OTHERS_NEED = List.of("mass", "fullWell");
-    /** Coefficients of a lens; larger ones fold its picture. */
-    private static final List<String> SMALL = List.of("p1", "p2");
+    /** Larger ones fold a lens's picture, fill a maze's cells, or are no tensor. */
+    private static final List<String> SMALL = List.of("p1", "p2", "thickness", "xy", "xz", "yz");
 
     private final Class<?> type;
     private final List<Parameter> parameters = new ArrayList<>();
@@ -126,7 +128,8 @@ final class EveryParameter {
         if (parameter.getKind() == Parameter.Kind.GROUP) {
             ParameterTable table = ParameterTable.of(parameter.getType());
             Object group = table.newInstance();
-            table.getParameters().forEach(inner -> inner.set(group, another(inner)));
+            table.getParameters().forEach(inner -> inner.set(group, inner.isList() ? another(inner)
+                : single(inner, which)));
             return group;
         }
         Object usual = parameter.get(ParameterTable.of(type == null || !owns(parameter) ? ownerOf(parameter) : type)
@@ -136,6 +139,12 @@ final class EveryParameter {
             ? NUMBERS : parameter.getKind() == Parameter.Kind.WHOLE ? WHOLES : Arrays.asList((Object) false, true));
         if (parameter.getKind() == Parameter.Kind.TEXT) {
             candidates.addAll(Arrays.asList(parameter.legal().split(", ")));
+        }
+        if (parameter.getName().equals("sketch")) {
+            candidates.add(0, "avoider.hex");
+        }
+        if (parameter.getTextRule() == TextRule.DRAWING) {
+            candidates = new ArrayList<>(DRAWING);
         }
         if (parameter.getKind() == Parameter.Kind.NUMBER) {
             candidates.add(0, SMALL.contains(parameter.getName()) ? 0.01 : 45 + 0.25 * parameters.indexOf(parameter));

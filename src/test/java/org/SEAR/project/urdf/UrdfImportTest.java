@@ -277,6 +277,19 @@ public class UrdfImportTest {
         assertTrue(UrdfImport.isRobot(zip));
     }
 
+    @Test
+    public void aLinkThatLeadsElsewhereIsNotCopied() throws Exception {
+        Path folder = project.getRoot().toPath();
+        Files.writeString(folder.resolve("part.obj"), "mtllib part.mtl\nmtllib inside.mtl\nv 0 0 0\nv 0 1 0\nv 1 0 0\n"
+            + "v 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n");
+        Files.writeString(folder.resolve("inside.mtl"), "newmtl a\n");
+        Files.createSymbolicLink(folder.resolve("part.mtl"), Path.of("/etc/passwd"));
+        add(ARM.replaceFirst("<box size='0.1 0.2 0.3'/>", "<mesh filename='part.obj'/>"));
+        assertEquals(List.of("inside.mtl", "part.obj"), files().stream().filter(Files::isRegularFile)
+            .map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".mtl") || name.endsWith(".obj"))
+            .collect(Collectors.toList()));
+    }
+
     private static String facet(String a, String b, String c) {
         return "facet normal 0 0 0\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c
             + "\nendloop\nendfacet\n";

@@ -291,7 +291,7 @@ public class BuildingTest {
         assertEquals(count + " pictures ", browser.driver().executeAsyncScript(PICTURES));
         long bytes = Files.size(Paths.get(System.getProperty("sear.root", "."),
             "resources/resource/WebGui/app/service/js/sear/tiles/palette.png"));
-        assertTrue(String.valueOf(bytes), bytes < 150_000);
+        assertTrue(String.valueOf(bytes), bytes < 200_000);
     }
 
     @Test

@@ -64,7 +64,7 @@ public class MrlCommTest {
         assertEquals(MRL_COMM.get("digital write acknowledged"), uno.answer(MRL_COMM.get("pin 13 high")));
         assertEquals("", uno.answer(MRL_COMM.get("no acknowledgements")));
         assertEquals("", uno.answer(MRL_COMM.get("pin 13 high")));
-        assertEquals(MRL_COMM.get("echo a number"), uno.answer(MRL_COMM.get("the number echoed")));
+        assertEquals(MRL_COMM.get("the number echoed"), uno.answer(MRL_COMM.get("echo a number")));
     }
 
     /** Messages of MyRobotLab's Motor service for an H bridge. */

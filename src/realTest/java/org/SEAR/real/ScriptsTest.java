@@ -30,6 +30,8 @@ public class ScriptsTest {
     private static final Pattern NUMBER = Pattern.compile("(?<![\\w.])-?\\d+(?:\\.\\d+)?");
     private static final double SHARE = 0.05;
     private static final double ABSOLUTE = 0.12;
+    /** A computer that stalls shortens the ways that a script drives by the clock. */
+    private static final int TRIALS_BY_THE_CLOCK = 3;
     private static ExecutorService others;
     private static Map<String, Future<String>> alone;
 
@@ -50,13 +52,16 @@ public class ScriptsTest {
         others = Executors.newSingleThreadExecutor();
         alone = new TreeMap<>();
         for (Job job : Job.all()) {
-            Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded")
-                .resolve(job.toString().replaceAll("\\W+", "_")));
-            Path script = Files.writeString(folder.resolve("job.py"), job.alone());
-            alone.put(job.toString(), others.submit(() ->
-                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", job.isByTheClock() ? "1" : "max",
-                    "--port", "none")));
+            alone.put(job.toString(), others.submit(() -> alone(job)));
         }
+    }
+
+    private static String alone(Job job) throws Exception {
+        Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded")
+            .resolve(job.toString().replaceAll("\\W+", "_")));
+        Path script = Files.writeString(folder.resolve("job.py"), job.alone());
+        return RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", job.isByTheClock() ? "1" : "max",
+            "--port", "none");
     }
 
     @AfterClass
@@ -72,10 +77,22 @@ public class ScriptsTest {
         List<String> outputs = List.of(RealMrl.shared().run(script), RealMrl.shared().run(script));
         String expected = alone.get(job.toString()).get();
         if (job.isByTheClock()) {
-            outputs.forEach(output -> assertNear(expected, output));
+            areNear(script, expected, outputs, 1);
         } else {
             assertEquals("alone and twice in the session", List.of(expected, expected, expected),
                 List.of(expected, outputs.get(0), outputs.get(1)));
+        }
+    }
+
+    private void areNear(Path script, String expected, List<String> outputs, int trial) throws Exception {
+        try {
+            outputs.forEach(output -> assertNear(expected, output));
+        } catch (AssertionError e) {
+            if (trial == TRIALS_BY_THE_CLOCK) {
+                throw e;
+            }
+            List<String> again = List.of(RealMrl.shared().run(script), RealMrl.shared().run(script));
+            areNear(script, alone(job), again, trial + 1);
         }
     }
 

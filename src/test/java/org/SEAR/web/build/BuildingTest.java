@@ -147,6 +147,9 @@ public class BuildingTest {
         browser.until("what the script makes",
             () -> tab.isTrue("world.shown() && world.shown().objects.length == " + things
             + " && world.shown().robots.length == " + robots));
+        if (robots > 0) {    // without its parts it can't be clicked
+            browser.until("all parts of the robot", () -> tab.isTrue("world.shown().robots[0].parts.length > 4"));
+        }
     }
 
     /** Returns the files that a script makes, then starts an empty project. */

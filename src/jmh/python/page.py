@@ -14,6 +14,8 @@ BEGIN = "<!-- measured: scripts/benchmark writes from here -->"
 END = "<!-- measured: to here -->"
 # Share of a core below which rates are in CPU time
 QUIET = 0.9
+# Smaller shares of a core are not measurable: a short run may take no tick of the processor clock.
+LEAST_SHARE = 0.01
 PEERS = ("Embree", "MuJoCo", "pybullet", "jbullet")
 STEPS_A_SECOND = 60.0
 NOTHING = "–"
@@ -69,7 +71,7 @@ class Results:
         rate = self.rates.get((engine, world))
         if rate is None:
             return None
-        return rate["perSecond"] / (rate["cpuShare"] if rate["cpuShare"] < QUIET else 1)
+        return rate["perSecond"] / (max(rate["cpuShare"], LEAST_SHARE) if rate["cpuShare"] < QUIET else 1)
 
     def shown(self, engine, world, unit):
         """Formats a rate, in units; a star marks CPU time."""

@@ -131,7 +131,9 @@ public class ShellTest {
                 for (String service : new String[] {"sear", "python", "line", "runtime"}) {
                     TABS.show(service);
                     browser.see("mrl-panel[name='" + service + "'] > *");
-                    assertEquals(theme + ", " + service, List.of(), browser.script(FAINT, CONTRAST));
+                    // the editor takes its colours a moment later
+                    browser.until("no faint texts, " + theme + ", " + service,
+                        () -> List.of().equals(browser.script(FAINT, CONTRAST)));
                 }
                 Object ground = browser.script("return getComputedStyle(document.body).backgroundColor");
                 assertEquals("light".equals(theme) ? "rgb(255, 255, 255)" : "rgb(30, 30, 30)", ground);

@@ -51,7 +51,7 @@ public class SketchDriveTest {
         try (Simulation simulation = start()) {
             double path = 0;
             Pose last = simulation.getPose("rover");
-            for (int i = 0; i < 120; i++) {
+            for (int i = 0; i < 60; i++) {
                 Worlds.run(simulation, 0.5);
                 Pose now = simulation.getPose("rover");
                 path += Math.hypot(now.x - last.x, now.z - last.z);
@@ -63,7 +63,7 @@ public class SketchDriveTest {
             for (int i = 1; i < lines.length - 1; i++) {
                 assertTrue(lines[i], lines[i].matches("\\d+ cm ahead, left \\d+, right \\d+"));
             }
-            assertTrue("drove " + path + " m: " + text(), path > 4);
+            assertTrue("drove " + path + " m: " + text(), path > 2);
             assertEquals("Uno, avoider.hex: running, 9615 baud",
                 simulation.snapshot().robots.get(0).devices.get(0).status);
             assertTrue(simulation.snapshot().warnings.toString(),
@@ -78,7 +78,7 @@ public class SketchDriveTest {
         for (int baud : new int[] {9600, 9600, 9984, 19200}) {
             try (Simulation simulation = start()) {
                 simulation.getLines().get(0).setHostBaud(baud);
-                Worlds.run(simulation, 8);
+                Worlds.run(simulation, 4);
                 runs.add(text() + simulation.getPose("rover"));
             }
         }
@@ -109,12 +109,12 @@ public class SketchDriveTest {
     public void aResetStartsTheSketchAgain() throws Exception {
         Bundle.load(EXAMPLE, project.folder());
         try (Simulation simulation = start()) {
-            Worlds.run(simulation, 6);
+            Worlds.run(simulation, 3);
             String first = text();
             Pose pose = simulation.getPose("rover");
             heard.reset();
             simulation.reset();
-            Worlds.run(simulation, 6);
+            Worlds.run(simulation, 3);
             assertEquals(first, text());
             assertEquals(pose.z, simulation.getPose("rover").z, 1e-6);
         }

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.BallJoint;
 import org.SEAR.POJOs.Dynamics;
@@ -26,6 +27,7 @@ import org.SEAR.POJOs.Slider;
 import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.InertiaTensor;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.problems.ProjectException;
 
@@ -34,6 +36,7 @@ import org.SEAR.project.problems.ProjectException;
  * each other joint. A robot's frame is that of its first link. One use, one thread.
  */
 public final class UrdfImport {
+    private static final String ENDING = ".xml";
     private static final double ROUNDING = 1e-12;
     private static final double SMALLEST_MASS = 0.001;
     private static final double STRONGEST = 1e9;
@@ -61,6 +64,8 @@ public final class UrdfImport {
         FileLimits.range(source.getName(), "the size in bytes", Files.size(file), 1, UrdfReader.MAX_FILE);
         urdf = new UrdfFile(source.getName(), Files.readAllBytes(file));
         notes = urdf.notes;
+        addNamesOf(project.resolve(ProjectFolder.ENVIRONMENT));
+        addNamesOf(project.resolve(ProjectFolder.ROBOT));
         name = unique(legal(urdf.name));
         for (UrdfFile.UrdfJoint joint : urdf.joints.values()) {
             if (!joint.type.equals("fixed")) {
@@ -111,6 +116,17 @@ public final class UrdfImport {
     public static boolean isRobot(Path file) throws IOException, ProjectException {
         String lower = file.toString().toLowerCase(Locale.ROOT);
         return lower.endsWith(".urdf") || lower.endsWith(".zip") && Bundle.hasFile(file, ".urdf");
+    }
+
+    /** Adds the names of all objects and parts below a folder, which are those of their files. */
+    private void addNamesOf(Path folder) throws IOException {
+        if (Files.isDirectory(folder)) {
+            try (Stream<Path> files = Files.walk(folder)) {
+                files.map(file -> file.getFileName().toString().toLowerCase(Locale.ROOT))
+                    .filter(file -> file.endsWith(ENDING))
+                    .forEach(file -> names.add(file.substring(0, file.length() - ENDING.length())));
+            }
+        }
     }
 
     private String unique(String wanted) throws IOException {

@@ -17,6 +17,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Hinge;
 import org.SEAR.POJOs.Inertia;
@@ -275,6 +276,13 @@ public class UrdfImportTest {
         assertEquals(0.001, model.getScaleX(), 0);
         Simulation.load(project.folder(), 1).close();
         assertTrue(UrdfImport.isRobot(zip));
+    }
+
+    @Test
+    public void namesInUseAreNotTakenAgain() throws Exception {
+        SEARrobot cart = new SEARrobot("cart");
+        cart.addComponent(new Box("Arm", 0.1, 0.1, 0.1, 1));
+        assertTrue(add(ARM).getRobots().stream().anyMatch(robot -> robot.getName().equals("arm_2")));
     }
 
     @Test

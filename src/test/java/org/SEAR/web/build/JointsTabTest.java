@@ -76,6 +76,8 @@ public class JointsTabTest {
         browser.until("north", () -> tab.isTrue("edits.object.values.rz == '-90'"));
         browser.until("its mark", () -> tab.isTrue("world.shown().joints.length == 1 "
             + "&& world.shown().joints[0].robot == 'crane'"));
+        browser.until("its words in the list", () -> browser.texts(".sear-tree small").contains(
+            "Hinge of crane and boom"));
         set("stallForce", "50");
         set("noLoadSpeed", "90");
         set("lower", "-90");

@@ -2,24 +2,19 @@
 package org.SEAR.robot.servo;
 
 import org.SEAR.POJOs.Motor;
-import org.SEAR.devices.MotorHardware;
-import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.joint.JointAxis;
 
 /**
  * Motor with gear that drives a joint of its robot. Speeds are rad/s of a hinge and m/s of a slider or rope. Before the
  * first command its power is 0, so that it brakes. Simulation thread.
  */
-public final class JointMotor implements MotorHardware {
-    private final Motor object;
-    private final String robot;
+public final class JointMotor extends RobotMotor {
     private JointAxis axis;
     private Runnable wake;
     private double command;
 
     public JointMotor(Motor object, String robot) {
-        this.object = object;
-        this.robot = robot;
+        super(object, robot);
     }
 
     /**
@@ -29,11 +24,6 @@ public final class JointMotor implements MotorHardware {
     public void connect(JointAxis newAxis, Runnable newWake) {
         axis = newAxis;
         wake = newWake;
-    }
-
-    /** Returns the motor's object. */
-    public Motor getObject() {
-        return object;
     }
 
     /** Switches it on again; after the joint has been attached. */
@@ -54,19 +44,6 @@ public final class JointMotor implements MotorHardware {
         command = value;
         axis.drive(drive, value);
         wake.run();
-    }
-
-    private double legal(String what, double value, double most, String unit) {
-        if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException("motor " + object.getName() + " of robot " + robot + ": " + what + " is "
-                + value + ", legal: " + Parameter.format(-most) + " to " + Parameter.format(most) + unit);
-        }
-        return value;
-    }
-
-    @Override
-    public String getName() {
-        return object.getName();
     }
 
     @Override

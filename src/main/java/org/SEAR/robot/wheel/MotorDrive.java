@@ -4,20 +4,17 @@ package org.SEAR.robot.wheel;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.POJOs.Motor;
-import org.SEAR.devices.MotorHardware;
-import org.SEAR.grammar.Parameter;
+import org.SEAR.robot.servo.RobotMotor;
 
 /**
  * Motor with gear. The force at a wheel that rolls at v over ground is a * power - b * v, a line from stall torque to
  * no-load speed. Several wheels share it, each at its own speed, see {@link MotorShare}. Simulation thread.
  */
-public final class MotorDrive implements MotorHardware {
+public final class MotorDrive extends RobotMotor {
     private static final double MIN_PART = 1e-6;
 
     enum Order { FOLLOW, POWER, SPEED }
 
-    private final Motor object;
-    private final String robot;
     private final List<RaycastWheel> wheels = new ArrayList<>();
     private final List<MotorShare> shares = new ArrayList<>();
     private Order order = Order.FOLLOW;
@@ -25,8 +22,7 @@ public final class MotorDrive implements MotorHardware {
     private double speed;
 
     public MotorDrive(Motor object, String robot) {
-        this.object = object;
-        this.robot = robot;
+        super(object, robot);
     }
 
     /** Resets the motor on new wheels. */
@@ -45,11 +41,6 @@ public final class MotorDrive implements MotorHardware {
         }
     }
 
-    @Override
-    public String getName() {
-        return object.getName();
-    }
-
     /** Makes the wheels follow the robot's drive command, until the motor gets its own. */
     void follow() {
         order = Order.FOLLOW;
@@ -66,15 +57,6 @@ public final class MotorDrive implements MotorHardware {
         speed = legal("speed", newSpeed, object.getNoLoadSpeed() / object.getGearRatio(),
             " rad/s, which its wheels reach without load");
         order = Order.SPEED;
-    }
-
-    private double legal(String what, double value, double most, String unit) {
-        if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException("motor " + object.getName() + " of robot " + robot + ": " + what + " is "
-                + value + ", legal: "
-                + Parameter.format(-most) + " to " + Parameter.format(most) + unit);
-        }
-        return value;
     }
 
     /** Whether it has its own command to move. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.SEAR.physics;
 
+import java.util.Arrays;
 import org.SEAR.physics.solid.Surface;
 
 /**
@@ -126,10 +127,11 @@ final class Manifold {
 
     /** Finds the middle of the points, unless the base has more than four corners: only some of them are points. */
     void findMiddle() {
-        for (int axis = 0; axis < 3 && !manyCorners; axis++) {
-            middle[axis] = 0;
+        if (manyCorners) {
+            return;
         }
-        for (int i = 0; i < count && !manyCorners; i++) {
+        Arrays.fill(middle, 0);
+        for (int i = 0; i < count; i++) {
             middle[0] += points[i].x / count;
             middle[1] += points[i].y / count;
             middle[2] += points[i].z / count;
@@ -186,12 +188,17 @@ final class Manifold {
             pressed[2] += points[i].impulse / total * z;
         }
         double square = pressed[0] * pressed[0] + pressed[1] * pressed[1] + pressed[2] * pressed[2];
+        return manyCorners ? square > EDGE * extent() : square > EDGE * EDGE * furthest;
+    }
+
+    /** Returns how far the points reach from the middle towards the centre of pressure, times its distance, m^2. */
+    private double extent() {
         double extent = 0;
-        for (int i = 0; i < count && manyCorners; i++) {
+        for (int i = 0; i < count; i++) {
             extent = Math.max(extent, pressed[0] * (points[i].x - middle[0]) + pressed[1] * (points[i].y - middle[1])
                 + pressed[2] * (points[i].z - middle[2]));
         }
-        return manyCorners ? square > EDGE * extent : square > EDGE * EDGE * furthest;
+        return extent;
     }
 
     /**

@@ -143,19 +143,22 @@ final class UrdfElement {
 
     /** Returns the link or joint of the element, with its name. */
     String owner() {
-        UrdfElement top = this;
-        while (top.parent != null && top.parent.parent != null) {
-            top = top.parent;
-        }
+        UrdfElement top = top();
         String name = top.attributes.getOrDefault("name", "");
         return top.parent == null ? "the robot" : top.tag + (name.isEmpty() ? "" : " " + name);
     }
 
-    private String kind() {
+    /** Returns the robot's child that contains the element, or is it; the root for itself. */
+    private UrdfElement top() {
         UrdfElement top = this;
         while (top.parent != null && top.parent.parent != null) {
             top = top.parent;
         }
+        return top;
+    }
+
+    private String kind() {
+        UrdfElement top = top();
         return top == this || top.parent == null ? "the robot" : "a " + top.tag;
     }
 
@@ -179,5 +182,4 @@ final class UrdfElement {
         return parent.parent == null ? "the robot" : parent.kind().equals("the robot") ? "a " + parent.tag
             : "<" + parent.tag + "> of " + parent.kind();
     }
-
 }

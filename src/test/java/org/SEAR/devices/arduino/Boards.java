@@ -39,7 +39,7 @@ final class Boards {
     }
 
     /** Probe on a pin. */
-    static final class Probe implements PinWire {
+    static class Probe implements PinWire {
         double volts = Double.NaN;
         double level = Double.NaN;
         int micros;

@@ -25,28 +25,15 @@ public class SketchBoardTest {
     private SketchPins pins;
     private SketchBoard board;
 
-    /** A component that applies a voltage, sends echoes, turns an encoder, and records what the board writes. */
-    private static final class Probe implements PinWire {
-        double volts = Double.NaN;
-        double level = Double.NaN;
+    /** A probe that also records pulses, is triggered, and turns an encoder by its edges. */
+    private static final class Probe extends Boards.Probe {
         final List<Integer> pulses = new ArrayList<>();
-        double echo = Double.NaN;
         PinWire echoAt;
         Encoder encoder;
 
         @Override
-        public double volts() {
-            return volts;
-        }
-
-        @Override
-        public void drive(double newLevel) {
-            level = newLevel;
-        }
-
-        @Override
-        public void pulse(int micros) {
-            pulses.add(micros);
+        public void pulse(int newMicros) {
+            pulses.add(newMicros);
         }
 
         @Override
@@ -65,13 +52,8 @@ public class SketchBoardTest {
         }
 
         @Override
-        public boolean isHigh(long counts) {
-            return (counts & 2) != 0;
-        }
-
-        @Override
-        public String describe() {
-            return "probe";
+        public boolean isHigh(long newCounts) {
+            return (newCounts & 2) != 0;
         }
     }
 
